@@ -1,0 +1,48 @@
+#pragma once
+#include <deque>
+#include <map>
+#include <vector>
+
+#include "engine/graph/device.h"
+
+namespace offing {
+
+/// The current OpenGL context. Times come from GL_TIMESTAMP pairs, read frames later; on a software
+/// renderer, whose queries are wrong, from finishing and reading the CPU clock.
+class GlDevice : public GraphDevice {
+ public:
+  GlDevice();
+  ~GlDevice() override;
+  gl::Texture make_texture(const std::string& label, const gl::TextureDesc& desc) override;
+  gl::Buffer make_buffer(const std::string& label, std::size_t bytes) override;
+  void barrier(std::uint32_t bits) override;
+  void begin_pass(const std::string& name) override;
+  void end_pass() override;
+  void bind_attachments(const std::vector<const gl::Texture*>& colours,
+                        const gl::Texture* depth) override;
+  void begin_timer(std::size_t pass) override;
+  void end_timer() override;
+  std::vector<Time> collect_times() override;
+
+  /// "gpu" or "finish", as in reports.
+  const char* timer_kind() const { return software_ ? "finish" : "gpu"; }
+  /// Forgets framebuffers that use this texture; called before a texture goes.
+  void forget_framebuffers();
+
+ private:
+  struct Pending {
+    std::size_t pass;
+    GLuint begin, end;
+  };
+  GLuint take_query();
+  bool software_;
+  double started_ms_ = 0.0;
+  std::size_t timing_pass_ = 0;
+  GLuint begin_query_ = 0;
+  std::deque<Pending> pending_;
+  std::vector<GLuint> free_queries_;
+  std::vector<Time> known_;
+  std::map<std::vector<GLuint>, GLuint> framebuffers_;
+};
+
+}  // namespace offing
