@@ -61,6 +61,8 @@ class FieldTable {
   /// "--set"). Throws InputError: "{where}: {key} = {value}: must be 0 to 60 m/s", or, for an
   /// unknown key, one that names the nearest known key. Nothing is changed when it throws.
   void set(std::string_view key, const FieldValue& value, std::string_view where) const;
+  /// Throws where set() would; changes nothing.
+  void check(std::string_view key, const FieldValue& value, std::string_view where) const;
   /// The same from text: "12.5", "true", "jonswap", "10,2,-30".
   void set_from_text(std::string_view key, std::string_view text, std::string_view where) const;
 
