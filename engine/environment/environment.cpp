@@ -10,9 +10,9 @@
 namespace offing {
 namespace {
 
-constexpr double kRoughnessLength = 0.005;   // metres: a moderately rough sea
-constexpr double kReferenceHeight = 10.0;    // metres
-constexpr double kLowestHeight = 0.05;       // metres
+constexpr double kRoughnessLength = 0.005;  // metres: a moderately rough sea
+constexpr double kReferenceHeight = 10.0;   // metres
+constexpr double kLowestHeight = 0.05;      // metres
 constexpr const char* kDefaultDate = "2026-08-12";
 constexpr const char* kDefaultTime = "15:30:00";
 
@@ -20,7 +20,9 @@ double wrapped(double value, double period) { return value - period * std::floor
 
 }  // namespace
 
-Environment::Environment() { set_utc_seconds(*parse_date(kDefaultDate) + *parse_time(kDefaultTime)); }
+Environment::Environment() {
+  set_utc_seconds(*parse_date(kDefaultDate) + *parse_time(kDefaultTime));
+}
 
 void Environment::describe(FieldTable& table) {
   const auto check_date = [](std::string_view text) {
@@ -43,8 +45,7 @@ void Environment::describe(FieldTable& table) {
       .number("gusts", wind.gusts, {0.0, 1.0}, "", "gustiness: 0 steady, 1 squally")
       .number("haze", haze, {0.0, 1.0}, "", "haze: 0 clear, 1 fog")
       .number("clouds.cover", clouds.cover, {0.0, 1.0}, "", "share of the sky that clouds cover")
-      .number("clouds.type", clouds.type, {0.0, 1.0}, "",
-              "0 stratus, 0.5 stratocumulus, 1 cumulus")
+      .number("clouds.type", clouds.type, {0.0, 1.0}, "", "0 stratus, 0.5 stratocumulus, 1 cumulus")
       .number("clouds.precipitation", clouds.precipitation, {0.0, 1.0}, "", "rain from the clouds")
       .number("clouds.high", clouds.high, {0.0, 1.0}, "", "cirrus")
       .number("clock_rate", clock_rate, {-86400.0, 86400.0}, "s/s",

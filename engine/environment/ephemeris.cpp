@@ -103,8 +103,8 @@ glm::dmat3 true_from_j2000_ecliptic(double t) {
 /// Greenwich apparent sidereal time in radians (Meeus 12.4 and the equation of the equinoxes).
 double greenwich_sidereal_time(double jd_ut, double t_tt) {
   const double t = centuries(jd_ut);
-  const double mean = 280.46061837 + 360.98564736629 * (jd_ut - 2451545.0) +
-                      t * t * (0.000387933 - t / 38710000.0);
+  const double mean =
+      280.46061837 + 360.98564736629 * (jd_ut - 2451545.0) + t * t * (0.000387933 - t / 38710000.0);
   const Nutation n = nutation(t_tt);
   return wrap_tau(radians(std::fmod(mean, 360.0)) +
                   n.longitude * std::cos(mean_obliquity(t_tt) + n.obliquity));
@@ -161,13 +161,13 @@ double delta_t_seconds(double utc_seconds) {
     double year, seconds;
   };
   static constexpr Entry kTable[] = {
-      {1600, 120.0}, {1620, 98.0},   {1640, 73.0},   {1660, 48.0},  {1680, 26.0},  {1700, 9.0},
-      {1720, 10.5},  {1740, 12.0},   {1760, 14.8},   {1780, 16.7},  {1800, 13.7},  {1820, 12.0},
-      {1840, 5.7},   {1860, 7.9},    {1870, 1.6},    {1880, -5.4},  {1890, -5.9},  {1900, -2.7},
-      {1910, 10.5},  {1920, 21.2},   {1930, 24.0},   {1940, 24.3},  {1950, 29.15}, {1955, 31.07},
-      {1960, 33.15}, {1965, 35.73},  {1970, 40.18},  {1975, 45.48}, {1980, 50.54}, {1985, 54.34},
-      {1990, 56.86}, {1995, 60.78},  {2000, 63.83},  {2005, 64.69}, {2010, 66.07}, {2015, 67.64},
-      {2020, 69.36}, {2025, 69.13},  {2030, 70.0},   {2050, 80.0},  {2100, 130.0}, {2200, 442.0}};
+      {1600, 120.0}, {1620, 98.0},  {1640, 73.0},  {1660, 48.0},  {1680, 26.0},  {1700, 9.0},
+      {1720, 10.5},  {1740, 12.0},  {1760, 14.8},  {1780, 16.7},  {1800, 13.7},  {1820, 12.0},
+      {1840, 5.7},   {1860, 7.9},   {1870, 1.6},   {1880, -5.4},  {1890, -5.9},  {1900, -2.7},
+      {1910, 10.5},  {1920, 21.2},  {1930, 24.0},  {1940, 24.3},  {1950, 29.15}, {1955, 31.07},
+      {1960, 33.15}, {1965, 35.73}, {1970, 40.18}, {1975, 45.48}, {1980, 50.54}, {1985, 54.34},
+      {1990, 56.86}, {1995, 60.78}, {2000, 63.83}, {2005, 64.69}, {2010, 66.07}, {2015, 67.64},
+      {2020, 69.36}, {2025, 69.13}, {2030, 70.0},  {2050, 80.0},  {2100, 130.0}, {2200, 442.0}};
   if (year <= kTable[0].year) return kTable[0].seconds;
   for (std::size_t i = 1; i < std::size(kTable); ++i) {
     if (year <= kTable[i].year) {
@@ -193,9 +193,9 @@ Ephemeris::Knot Ephemeris::evaluate(double utc_seconds) {
   const double latitude = radians(sun.B);
   const glm::dmat3 turn = true_from_j2000_ecliptic(centuries(jde));
   Knot knot;
-  knot.sun_au = turn * (sun.R * glm::dvec3(std::cos(latitude) * std::cos(longitude),
-                                           std::cos(latitude) * std::sin(longitude),
-                                           std::sin(latitude)));
+  knot.sun_au =
+      turn * (sun.R * glm::dvec3(std::cos(latitude) * std::cos(longitude),
+                                 std::cos(latitude) * std::sin(longitude), std::sin(latitude)));
   // The moon's light takes 1.3 s, in which it moves by 0.7 arc seconds: left out.
   knot.moon_km = turn * glm::dvec3(moon.X, moon.Y, moon.Z);
   return knot;
@@ -235,8 +235,7 @@ CelestialState Ephemeris::at(double utc_seconds, double latitude_deg, double lon
   // Columns: where the equatorial axes point to in the world. Rows: east, up, south.
   const double c = std::cos(sidereal), s = std::sin(sidereal);
   const double cl = std::cos(latitude), sl = std::sin(latitude);
-  state.world_from_equatorial =
-      glm::dmat3(-s, cl * c, sl * c, c, cl * s, sl * s, 0.0, sl, -cl);
+  state.world_from_equatorial = glm::dmat3(-s, cl * c, sl * c, c, cl * s, sl * s, 0.0, sl, -cl);
 
   const glm::dvec3 observer = observer_km(latitude, sidereal);
   state.sun = sky_position(sun_km - observer, kSunRadiusKm, state.world_from_equatorial);

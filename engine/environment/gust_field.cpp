@@ -13,8 +13,9 @@ namespace offing {
 namespace {
 
 constexpr std::uint64_t kSeed = 20260812;
-constexpr double kLength = 150.0;   // metres: the energetic eddies at 10 m over the sea
-constexpr double kSmooth = 8.0;     // metres: standard deviation that keeps a 3 s gust and drops faster
+constexpr double kLength = 150.0;  // metres: the energetic eddies at 10 m over the sea
+constexpr double kSmooth =
+    8.0;  // metres: standard deviation that keeps a 3 s gust and drops faster
 
 /// Density over the plane whose cut along any line falls as (1 + (k L)^2)^(-5/6), von Kármán's
 /// longitudinal spectrum: (1 + (k L)^2)^(-4/3).
@@ -30,8 +31,7 @@ GustField::GustField() : grid_(static_cast<std::size_t>(kSize) * kSize) {
   const auto count = static_cast<std::size_t>(kSize) * kHalf;
   std::unique_ptr<fftwf_complex, decltype(&fftwf_free)> waves(fftwf_alloc_complex(count),
                                                               fftwf_free);
-  fftwf_plan plan =
-      fftwf_plan_dft_c2r_2d(kSize, kSize, waves.get(), grid_.data(), FFTW_ESTIMATE);
+  fftwf_plan plan = fftwf_plan_dft_c2r_2d(kSize, kSize, waves.get(), grid_.data(), FFTW_ESTIMATE);
   for (int row = 0; row < kSize; ++row) {
     const int nz = row <= kSize / 2 ? row : row - kSize;
     for (int nx = 0; nx < kHalf; ++nx) {

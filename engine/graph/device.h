@@ -1,8 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <deque>
-#include <map>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,7 +29,7 @@ class GraphDevice {
     std::size_t pass;
     double milliseconds;
   };
-  /// Times that have become known, without waiting for any.
+  /// Called once after each frame: the times that have become known, without waiting for any.
   virtual std::vector<Time> collect_times() = 0;
 };
 

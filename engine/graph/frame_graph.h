@@ -144,6 +144,7 @@ class FrameGraph {
   friend class PassContext;
   struct Impl;
   PassBuilder add_pass(std::string_view name, std::function<void(PassContext&)> execute);
+  std::size_t report_row(const std::string& name);
   std::unique_ptr<Impl> impl_;
   std::vector<PassReport> report_;
 };

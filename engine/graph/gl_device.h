@@ -26,15 +26,18 @@ class GlDevice : public GraphDevice {
 
   /// "gpu" or "finish", as in reports.
   const char* timer_kind() const { return software_ ? "finish" : "gpu"; }
-  /// Forgets framebuffers that use this texture; called before a texture goes.
-  void forget_framebuffers();
 
  private:
   struct Pending {
     std::size_t pass;
     GLuint begin, end;
   };
+  struct Framebuffer {
+    GLuint id;
+    std::uint64_t last_used;
+  };
   GLuint take_query();
+  void forget_old_framebuffers();
   bool software_;
   double started_ms_ = 0.0;
   std::size_t timing_pass_ = 0;
@@ -42,7 +45,8 @@ class GlDevice : public GraphDevice {
   std::deque<Pending> pending_;
   std::vector<GLuint> free_queries_;
   std::vector<Time> known_;
-  std::map<std::vector<GLuint>, GLuint> framebuffers_;
+  std::map<std::vector<std::uint64_t>, Framebuffer> framebuffers_;  ///< by texture serials
+  std::uint64_t frame_ = 0;
 };
 
 }  // namespace offing
