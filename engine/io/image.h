@@ -13,12 +13,12 @@ struct Image {
   std::vector<float> pixels;  ///< width × height × channels
 };
 
-/// Reads any picture OpenImageIO knows (PFM only in a build without it). Throws InputError for a file
-/// that is missing, no picture, empty, or larger than 16384 on a side.
+/// Reads any picture OpenImageIO knows (PFM only in a build without it). Throws InputError for a
+/// file that is missing, no picture, empty, or larger than 16384 on a side.
 Image read_image(const std::filesystem::path& file);
 
-/// Writes by extension: .png (8 bit, values 0 to 1, already sRGB-coded), .exr (float, linear), .pfm.
-/// Complete or not at all: to a temporary file beside it, then renamed. `channel_names` and
+/// Writes by extension: .png (8 bit, values 0 to 1, already sRGB-coded), .exr (float, linear),
+/// .pfm. Complete or not at all: to a temporary file beside it, then renamed. `channel_names` and
 /// `attributes` go into an EXR. Throws InputError for an extension that it can't write and for a
 /// folder that is not there, Error for a disk that is full. In a build without OpenImageIO .png and
 /// .exr become .pfm, with a word about it.

@@ -39,7 +39,7 @@ struct ModelPrimitive {
 
 struct ModelNode {
   std::string name;
-  int parent = -1;              ///< always smaller than the node's own index
+  int parent = -1;  ///< always smaller than the node's own index
   glm::mat4 parent_from_node{1.0f};
   std::vector<ModelPrimitive> primitives;
 };
@@ -57,8 +57,9 @@ struct Model {
 };
 
 /// Reads .gltf or .glb. Every count, index, offset and path in the file is checked before use.
-/// Throws InputError ("{file}: node 'boom' is missing: …") for anything that is not a sound model of
-/// at most `max_triangles`, lacks one of `required_nodes`, or refers to a file outside its folder.
+/// Throws InputError ("{file}: node 'boom' is missing: …") for anything that is not a sound model
+/// of at most `max_triangles`, lacks one of `required_nodes`, or refers to a file outside its
+/// folder.
 Model load_model(const std::filesystem::path& file,
                  std::span<const std::string_view> required_nodes = {},
                  std::size_t max_triangles = 2'000'000);

@@ -6,13 +6,13 @@
 
 namespace offing {
 
-/// A scene by name ("gale": assets/scenes/gale.toml under data_root()) or by path. Throws InputError
-/// that lists the names there are.
+/// A scene by name ("gale": assets/scenes/gale.toml under data_root()) or by path. Throws
+/// InputError that lists the names there are.
 std::filesystem::path find_scene(std::string_view name_or_file);
 
 /// Sets the fields named in a TOML file; others keep their values. Tables nest into dotted keys.
-/// Throws InputError "file:line: key = value: …" for bad TOML, an unknown key, a wrong type or a value
-/// out of range. Nothing is set where anything is wrong.
+/// Throws InputError "file:line: key = value: …" for bad TOML, an unknown key, a wrong type or a
+/// value out of range. Nothing is set where anything is wrong.
 void load_scene(const std::filesystem::path& file, const FieldTable& table);
 
 }  // namespace offing
