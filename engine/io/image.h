@@ -20,16 +20,6 @@ struct Image {
 };
 
 /// Reads any picture OpenImageIO knows (PFM only in a build without it). Throws InputError for a
-<<<<<<< HEAD
-/// file that is missing, no picture, empty, or larger than 16384 on a side.
-Image read_image(const std::filesystem::path& file);
-
-/// Writes by extension: .png (8 bit, values 0 to 1, already sRGB-coded), .exr (float, linear),
-/// .pfm. Complete or not at all: to a temporary file beside it, then renamed. `channel_names` and
-/// `attributes` go into an EXR. Throws InputError for an extension that it can't write and for a
-/// folder that is not there, Error for a disk that is full. In a build without OpenImageIO .png and
-/// .exr become .pfm, with a word about it.
-=======
 /// file that is missing, no picture, empty, cut short, or larger than 16384 on a side or 1 GiB in
 /// memory.
 Image read_image(const std::filesystem::path& file);
@@ -47,7 +37,6 @@ bool reads_pictures();
 /// disk that is full. In a build without OpenImageIO .png and .exr become .pfm beside the given
 /// name
 /// ("a.exr": a.pfm, or with other than 1 or 3 channels a.NAME.pfm each), with a word about it.
->>>>>>> io
 void write_image(const std::filesystem::path& file, const Image& image,
                  const std::vector<std::string>& channel_names = {},
                  const std::map<std::string, double>& attributes = {});
