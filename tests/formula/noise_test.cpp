@@ -58,7 +58,8 @@ TEST(Noise, GradientIsThatOfTheValue) {
       dvec3 step(0.0);
       step[axis] = kStep;
       const double slope =
-          (glsl::gradient_noise(p + step).value - glsl::gradient_noise(p - step).value) / (2.0 * kStep);
+          (glsl::gradient_noise(p + step).value - glsl::gradient_noise(p - step).value) /
+          (2.0 * kStep);
       EXPECT_NEAR(gradient[axis], slope, 1e-7) << "axis " << axis;  // O(step^2) + rounding / step
     }
   }
