@@ -43,10 +43,14 @@ void Camera::set_mode(CameraMode mode) {
 void Camera::next_mode() {
   // The free camera stays where a scene put it, so it is not among those to cycle through.
   switch (mode_) {
-    case CameraMode::kChase: return set_mode(CameraMode::kHelm);
-    case CameraMode::kHelm: return set_mode(CameraMode::kMast);
-    case CameraMode::kMast: return set_mode(CameraMode::kOrbit);
-    default: return set_mode(CameraMode::kChase);
+    case CameraMode::kChase:
+      return set_mode(CameraMode::kHelm);
+    case CameraMode::kHelm:
+      return set_mode(CameraMode::kMast);
+    case CameraMode::kMast:
+      return set_mode(CameraMode::kOrbit);
+    default:
+      return set_mode(CameraMode::kChase);
   }
 }
 
@@ -55,7 +59,9 @@ void Camera::look(double yaw, double pitch) {
   pitch_ = std::clamp(pitch_ + pitch, -1.2, 1.2);
 }
 
-void Camera::zoom(double notches) { distance_ = std::clamp(distance_ * std::pow(0.88, notches), 0.35, 12.0); }
+void Camera::zoom(double notches) {
+  distance_ = std::clamp(distance_ * std::pow(0.88, notches), 0.35, 12.0);
+}
 
 void Camera::update(const CameraSubject& subject, double dt) {
   const double heading = heading_of(subject.orientation);
@@ -87,9 +93,9 @@ void Camera::update(const CameraSubject& subject, double dt) {
     case CameraMode::kHelm: {
       pose_.position = subject.position + subject.orientation * glm::dvec3(0.45, 2.05, 2.9);
       const glm::dquat level = level_look(heading + turned, pitch_ - 0.05);
-      const glm::dquat aboard =
-          subject.orientation * glm::angleAxis(-turned, glm::dvec3(0.0, 1.0, 0.0)) *
-          glm::angleAxis(pitch_ - 0.05, glm::dvec3(1.0, 0.0, 0.0));
+      const glm::dquat aboard = subject.orientation *
+                                glm::angleAxis(-turned, glm::dvec3(0.0, 1.0, 0.0)) *
+                                glm::angleAxis(pitch_ - 0.05, glm::dvec3(1.0, 0.0, 0.0));
       pose_.orientation = glm::slerp(level, aboard, 0.35);
       break;
     }
