@@ -15,7 +15,7 @@ menu_shown() { state_holds 'menu == 1'; }
 menu_hidden() { state_holds 'menu == 0'; }
 
 start_display 800 600
-start_game
+start_game --seed 1
 eval "$(xdotool getwindowgeometry --shell "$window" | sed -n 's/^X=/left=/p; s/^Y=/top=/p')"
 
 grab first.png 320 180
