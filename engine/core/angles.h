@@ -6,7 +6,7 @@ namespace offing {
 
 inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kTau = 2.0 * std::numbers::pi;
-inline constexpr double kGravity = 9.81;            ///< m/s^2, as in every spectrum here
+inline constexpr double kGravity = 9.81;  ///< m/s^2, as in every spectrum here
 inline constexpr double kMetresPerSecondPerKnot = 1852.0 / 3600.0;
 
 constexpr double radians(double degrees) { return degrees * (kPi / 180.0); }

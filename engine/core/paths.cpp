@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 
 bool holds_data(const fs::path& folder) {
   std::error_code ignored;
-  return fs::is_directory(folder / "shaders", ignored) && fs::is_directory(folder / "assets", ignored);
+  return fs::is_directory(folder / "shaders", ignored) &&
+         fs::is_directory(folder / "assets", ignored);
 }
 
 fs::path find_root() {
@@ -26,7 +27,8 @@ fs::path find_root() {
     if (holds_data(folder)) return folder;
   }
   if (holds_data(OFFING_SOURCE_DIR)) return OFFING_SOURCE_DIR;
-  throw InputError("shaders/ and assets/ not found near the program; set OFFING_ROOT to their folder");
+  throw InputError(
+      "shaders/ and assets/ not found near the program; set OFFING_ROOT to their folder");
 }
 }  // namespace
 

@@ -11,21 +11,22 @@ namespace offing {
 
 /// The mean wind at 10 m. Directions at the edges are where it comes FROM, degrees true.
 struct Wind {
-  double speed = 8.0;       ///< m/s at 10 m
-  double from_deg = 45.0;   ///< degrees true
-  double gusts = 0.3;       ///< 0 (steady) to 1 (squally)
+  double speed = 8.0;      ///< m/s at 10 m
+  double from_deg = 45.0;  ///< degrees true
+  double gusts = 0.3;      ///< 0 (steady) to 1 (squally)
 };
 
 /// What the sky holds.
 struct Clouds {
-  double cover = 0.35;          ///< 0 to 1
-  double type = 1.0;            ///< 0 stratus, 0.5 stratocumulus, 1 cumulus
-  double precipitation = 0.0;   ///< 0 to 1
-  double high = 0.2;            ///< cirrus, 0 to 1
+  double cover = 0.35;         ///< 0 to 1
+  double type = 1.0;           ///< 0 stratus, 0.5 stratocumulus, 1 cumulus
+  double precipitation = 0.0;  ///< 0 to 1
+  double high = 0.2;           ///< cirrus, 0 to 1
 };
 
-/// The only wind, clock, place and weather. Waves, sails, sky and clouds read it; nobody keeps a copy.
-/// Time: `clock` is UTC as seconds since 1970-01-01; `elapsed` is what waves, gusts and cloth run by.
+/// The only wind, clock, place and weather. Waves, sails, sky and clouds read it; nobody keeps a
+/// copy. Time: `clock` is UTC as seconds since 1970-01-01; `elapsed` is what waves, gusts and cloth
+/// run by.
 class Environment {
  public:
   Environment();
@@ -36,7 +37,7 @@ class Environment {
   double longitude_deg = -8.4115;  ///< east positive
   double haze = 0.1;               ///< 0 (clear) to 1 (fog)
   bool paused = false;
-  double clock_rate = 1.0;         ///< seconds of day and night per second of sailing
+  double clock_rate = 1.0;  ///< seconds of day and night per second of sailing
 
   /// The scene keys environment.*, bound to this object. Date and time are text there.
   void describe(FieldTable& table);

@@ -14,9 +14,9 @@ struct SkyPosition {
 
 struct CelestialState {
   SkyPosition sun, moon;
-  double moon_lit_fraction = 0.0;       ///< 0 new to 1 full
-  double moon_phase_angle_deg = 0.0;    ///< sun–moon–earth: 0 full, 180 new
-  double sidereal_time_h = 0.0;         ///< apparent, local
+  double moon_lit_fraction = 0.0;     ///< 0 new to 1 full
+  double moon_phase_angle_deg = 0.0;  ///< sun–moon–earth: 0 full, 180 new
+  double sidereal_time_h = 0.0;       ///< apparent, local
 };
 
 /// Sun and moon at `utc_seconds` since 1970-01-01 (UTC) seen from a place (degrees, north and east

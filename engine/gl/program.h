@@ -7,12 +7,25 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/error.h"
 #include "engine/gl/object.h"
 
 namespace offing::gl {
 
 void delete_program(GLuint id);
 void delete_vertex_array(GLuint id);
+
+/// A stage that does not compile (`stage` its GL name), or a program that does not link (0). The
+/// message is the driver's log.
+class ShaderError : public Error {
+ public:
+  ShaderError(const std::string& label, GLenum stage, const std::string& log)
+      : Error(label + ": " + log, ExitCode::kBadInput), stage_(stage) {}
+  GLenum stage() const { return stage_; }
+
+ private:
+  GLenum stage_;
+};
 
 /// One stage's complete GLSL text.
 struct StageSource {
@@ -24,7 +37,7 @@ struct StageSource {
 class Program {
  public:
   Program() = default;
-  /// Throws Error with the driver's log, stage by stage, where a stage or the link fails.
+  /// Throws ShaderError where a stage or the link fails.
   Program(const std::string& label, const std::vector<StageSource>& stages);
 
   GLuint id() const { return object_.id(); }

@@ -8,8 +8,9 @@
 
 namespace offing::gl {
 
-/// Brings data from the GPU without ever waiting for it: a ring of persistently mapped buffers, each
-/// with a fence that is polled. What arrives carries the tag it was issued with (a simulation time).
+/// Brings data from the GPU without ever waiting for it: a ring of persistently mapped buffers,
+/// each with a fence that is polled. What arrives carries the tag it was issued with (a simulation
+/// time).
 class ReadbackRing {
  public:
   /// `slots` results may be on their way at once; `size` in bytes each.
@@ -38,8 +39,10 @@ class ReadbackRing {
     const std::byte* mapped = nullptr;
     GLsync fence = nullptr;
     double tag = 0.0;
+    unsigned long long sequence = 0;  ///< order of issue: time may run backwards
   };
   std::vector<Slot> slots_;
+  unsigned long long issued_ = 0;
   int writing_ = -1;
   int held_ = -1;  ///< the slot whose bytes the caller may be reading
 };

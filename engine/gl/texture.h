@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ class Texture {
   Texture(const std::string& label, const TextureDesc& desc);
 
   GLuint id() const { return object_.id(); }
+  /// Never the same for two textures of a run, unlike id().
+  std::uint64_t serial() const { return serial_; }
   const TextureDesc& desc() const { return desc_; }
   int width() const { return desc_.width; }
   int height() const { return desc_.height; }
@@ -49,6 +52,7 @@ class Texture {
  private:
   Object<delete_texture> object_;
   TextureDesc desc_;
+  std::uint64_t serial_ = 0;
 };
 
 /// How a texture is read, apart from the texture.

@@ -1,8 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <deque>
-#include <map>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,14 +22,16 @@ class GraphDevice {
   /// Binds the attachments and sets the viewport to their size.
   virtual void bind_attachments(const std::vector<const gl::Texture*>& colours,
                                 const gl::Texture* depth) = 0;
-  /// Brackets a pass; `pass` comes back in collect_times().
+  /// Brackets a pass, or with kWholeFrame the frame round its passes; `pass` comes back in
+  /// collect_times().
+  static constexpr std::size_t kWholeFrame = static_cast<std::size_t>(-1);
   virtual void begin_timer(std::size_t pass) = 0;
   virtual void end_timer() = 0;
   struct Time {
     std::size_t pass;
     double milliseconds;
   };
-  /// Times that have become known, without waiting for any.
+  /// Called once after each frame: the times that have become known, without waiting for any.
   virtual std::vector<Time> collect_times() = 0;
 };
 

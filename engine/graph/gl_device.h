@@ -26,23 +26,30 @@ class GlDevice : public GraphDevice {
 
   /// "gpu" or "finish", as in reports.
   const char* timer_kind() const { return software_ ? "finish" : "gpu"; }
-  /// Forgets framebuffers that use this texture; called before a texture goes.
-  void forget_framebuffers();
 
  private:
   struct Pending {
     std::size_t pass;
     GLuint begin, end;
   };
+  struct Framebuffer {
+    GLuint id;
+    std::uint64_t last_used;
+  };
   GLuint take_query();
+  void forget_old_framebuffers();
   bool software_;
-  double started_ms_ = 0.0;
-  std::size_t timing_pass_ = 0;
-  GLuint begin_query_ = 0;
+  struct Open {
+    std::size_t pass;
+    double started_ms;
+    GLuint query;
+  };
+  std::vector<Open> open_;  ///< timers begun and not ended, innermost last
   std::deque<Pending> pending_;
   std::vector<GLuint> free_queries_;
   std::vector<Time> known_;
-  std::map<std::vector<GLuint>, GLuint> framebuffers_;
+  std::map<std::vector<std::uint64_t>, Framebuffer> framebuffers_;  ///< by texture serials
+  std::uint64_t frame_ = 0;
 };
 
 }  // namespace offing

@@ -8,9 +8,9 @@ namespace offing {
 
 /// The water at one place and time.
 struct WaterSample {
-  double height = 0.0;              ///< metres above the mean level
-  glm::dvec3 normal{0.0, 1.0, 0.0}; ///< unit, out of the water
-  glm::dvec3 velocity{0.0};         ///< m/s of the water itself (orbital), at the surface
+  double height = 0.0;               ///< metres above the mean level
+  glm::dvec3 normal{0.0, 1.0, 0.0};  ///< unit, out of the water
+  glm::dvec3 velocity{0.0};          ///< m/s of the water itself (orbital), at the surface
 };
 
 /// Something that can be asked where the water is. Knows no OpenGL.

@@ -26,8 +26,8 @@ struct ShaderText {
 using ShaderDefines = std::vector<std::pair<std::string, std::string>>;
 
 /// Reads `file` under `root`, resolves #include "path" (paths from `root`, each file once) and puts
-/// `#version 450 core` and the defines first. Throws InputError naming the file and line of a missing
-/// or circular include.
+/// `#version 450 core` and the defines first. Throws InputError naming the file and line of a
+/// missing or circular include.
 ShaderText preprocess_shader(const std::filesystem::path& root, const std::filesystem::path& file,
                              const ShaderDefines& defines);
 
@@ -55,7 +55,8 @@ class ShaderLibrary {
 
   /// Stage by extension: .vert .frag .comp. The same stages and defines give the same program.
   /// Throws InputError with "file:line: message" lines where it does not compile.
-  const ShaderProgram& program(std::vector<std::filesystem::path> stages, ShaderDefines defines = {});
+  const ShaderProgram& program(std::vector<std::filesystem::path> stages,
+                               ShaderDefines defines = {});
 
   /// Recompiles every program of which a file has changed since it was read. A failure keeps the
   /// last good program and is kept in error() until the file compiles. Returns true if any changed.
@@ -66,8 +67,10 @@ class ShaderLibrary {
   const std::string& error() const { return error_; }
 
  private:
-  void build(ShaderProgram& program) const;
+  void build(ShaderProgram& program);
   void reload(ShaderProgram& program);
+  template <class Wanted>
+  void reload_where(Wanted wanted);
 
   std::filesystem::path root_;
   std::vector<std::unique_ptr<ShaderProgram>> programs_;

@@ -1,0 +1,148 @@
+#include "engine/gl/texture.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace offing::gl {
+namespace {
+GLenum target_of(const TextureDesc& desc) {
+  if (desc.depth > 0) return GL_TEXTURE_3D;
+  return desc.layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+}
+
+std::size_t bytes_per_texel(GLenum format) {
+  switch (format) {
+    case GL_R8:
+      return 1;
+    case GL_R16F:
+    case GL_RG8:
+      return 2;
+    case GL_RGBA8:
+    case GL_R32F:
+    case GL_R32UI:
+    case GL_RG16F:
+    case GL_DEPTH_COMPONENT32F:
+    case GL_R11F_G11F_B10F:
+    case GL_SRGB8_ALPHA8:
+      return 4;
+    case GL_RGBA16F:
+    case GL_RG32F:
+      return 8;
+    case GL_RGBA32F:
+      return 16;
+    default:
+      return 4;
+  }
+}
+
+GLenum channels_format(int channels) {
+  constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+  return kFormats[channels - 1];
+}
+}  // namespace
+
+void delete_texture(GLuint id) { glDeleteTextures(1, &id); }
+void delete_sampler(GLuint id) { glDeleteSamplers(1, &id); }
+
+int full_mip_levels(int width, int height) {
+  int levels = 1;
+  for (int size = std::max(width, height); size > 1; size /= 2) ++levels;
+  return levels;
+}
+
+std::size_t texture_bytes(const TextureDesc& desc) {
+  std::size_t texels = 0;
+  for (int level = 0; level < desc.levels; ++level) {
+    const auto size = [&](int full) {
+      return static_cast<std::size_t>(std::max(1, full >> level));
+    };
+    texels +=
+        size(desc.width) * size(desc.height) *
+        (desc.depth > 0 ? size(desc.depth) : static_cast<std::size_t>(std::max(1, desc.layers)));
+  }
+  return texels * bytes_per_texel(desc.format);
+}
+
+Texture::Texture(const std::string& label, const TextureDesc& desc) : desc_(desc) {
+  static std::atomic<std::uint64_t> next_serial{1};
+  serial_ = next_serial++;
+  GLuint id = 0;
+  const GLenum target = target_of(desc);
+  glCreateTextures(target, 1, &id);
+  object_ = Object<delete_texture>(id);
+  if (target == GL_TEXTURE_2D) {
+    glTextureStorage2D(id, desc.levels, desc.format, desc.width, desc.height);
+  } else {
+    glTextureStorage3D(id, desc.levels, desc.format, desc.width, desc.height,
+                       desc.depth > 0 ? desc.depth : desc.layers);
+  }
+  // A texture that is read without a sampler object is read texel by texel, clamped.
+  glTextureParameteri(id, GL_TEXTURE_MIN_FILTER,
+                      desc.levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
+  glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+    glTextureParameteri(id, axis, GL_CLAMP_TO_EDGE);
+  }
+  glObjectLabel(GL_TEXTURE, id, -1, label.c_str());
+}
+
+void Texture::upload(GLenum format, GLenum type, const void* pixels, int level, int layer) const {
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  const int w = std::max(1, desc_.width >> level), h = std::max(1, desc_.height >> level);
+  if (desc_.depth > 0) {
+    glTextureSubImage3D(id(), level, 0, 0, 0, w, h, std::max(1, desc_.depth >> level), format, type,
+                        pixels);
+  } else if (desc_.layers > 0) {
+    glTextureSubImage3D(id(), level, 0, 0, layer, w, h, 1, format, type, pixels);
+  } else {
+    glTextureSubImage2D(id(), level, 0, 0, w, h, format, type, pixels);
+  }
+}
+
+void Texture::generate_mipmaps() const { glGenerateTextureMipmap(id()); }
+
+std::vector<float> Texture::read_floats(int channels, int level) const {
+  const auto size = [&](int full) { return static_cast<std::size_t>(std::max(1, full >> level)); };
+  const std::size_t slices =
+      desc_.depth > 0 ? size(desc_.depth) : static_cast<std::size_t>(std::max(1, desc_.layers));
+  std::vector<float> values(size(desc_.width) * size(desc_.height) * slices *
+                            static_cast<std::size_t>(channels));
+  const bool is_depth = desc_.format == GL_DEPTH_COMPONENT32F;
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glGetTextureImage(id(), level, is_depth ? GL_DEPTH_COMPONENT : channels_format(channels),
+                    GL_FLOAT, static_cast<GLsizei>(values.size() * sizeof(float)), values.data());
+  return values;
+}
+
+void Texture::bind(GLuint unit) const { glBindTextureUnit(unit, id()); }
+
+void Texture::bind_image(GLuint unit, GLenum access, int level) const {
+  glBindImageTexture(unit, id(), level, GL_TRUE, 0, access, desc_.format);
+}
+
+Sampler::Sampler(const std::string& label, GLenum min_filter, GLenum mag_filter, GLenum wrap_s,
+                 GLenum wrap_t) {
+  GLuint id = 0;
+  glCreateSamplers(1, &id);
+  object_ = Object<delete_sampler>(id);
+  glSamplerParameteri(id, GL_TEXTURE_MIN_FILTER, static_cast<GLint>(min_filter));
+  glSamplerParameteri(id, GL_TEXTURE_MAG_FILTER, static_cast<GLint>(mag_filter));
+  glSamplerParameteri(id, GL_TEXTURE_WRAP_S, static_cast<GLint>(wrap_s));
+  glSamplerParameteri(id, GL_TEXTURE_WRAP_T, static_cast<GLint>(wrap_t));
+  glObjectLabel(GL_SAMPLER, id, -1, label.c_str());
+}
+
+void Sampler::bind(GLuint unit) const { glBindSampler(unit, id()); }
+
+void Sampler::set_anisotropy(float samples) const {
+  float most = 0.0f;
+  if (!epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") &&
+      !epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic")) {
+    return;
+  }
+  glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY, &most);
+  glSamplerParameterf(id(), GL_TEXTURE_MAX_ANISOTROPY, std::clamp(samples, 1.0f, most));
+}
+
+}  // namespace offing::gl
