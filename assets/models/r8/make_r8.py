@@ -18,10 +18,10 @@ from shapes import (Spline, add, box, foil, frames, grid, lathe, lerp, mix, poly
 
 # ---- dimensions ----------------------------------------------------------------------------------
 BOW, STERN = -3.97, 4.03           # z of the stem head and of the transom's lower edge: LOA 8.0
-MAST_Z = -0.52                     # the mast's axis, and the axis of boom and mainsail
+MAST_Z = -0.60                     # the mast's axis, and the axis of boom and mainsail
 MAST_TOP = 11.2
 GOOSENECK = 1.62
-TACK = (0.0, 1.16, -3.66)          # jib tack, on the forestay
+TACK = (0.0, 1.16, -3.70)          # jib tack, on the forestay
 HOUNDS = (0.0, 10.1, MAST_Z - 0.06)
 STOCK_Z = 3.02                     # the rudder's stock
 COCKPIT = (1.10, 3.50)             # fore and aft ends of the well
