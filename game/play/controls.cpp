@@ -16,8 +16,8 @@ double towards(double value, double target, double step) {
 }  // namespace
 
 const KeyHelp kKeyHelp[] = {
-    {"A D or \u2190 \u2192", "rudder to port, to starboard"},
-    {"W S or \u2191 \u2193", "mainsheet in, out"},
+    {"A D or arrows", "rudder to port, to starboard"},
+    {"W S or arrows", "mainsheet in, out"},
     {"R F", "jib sheet in, out"},
     {"T", "automatic trim on, off"},
     {"H", "hold this heading"},
