@@ -152,7 +152,9 @@ std::vector<CascadeBand> choose_bands(const SeaSpectrum& spectrum, int count, in
     band.length = first * std::pow(kLast / first, share);
     band.angle = 0.6180339887 * c;
     band.k_min = c == 0 ? 0.0 : bands[static_cast<std::size_t>(c - 1)].k_max;
-    band.k_max = kTau / band.length * size / kSamplesPerWave;
+    // Half a wave number less than four points per wave: then all cells with energy have indices
+    // below size / 4, which is what the transform relies on.
+    band.k_max = kTau / band.length * (size / kSamplesPerWave - 0.5);
   }
   return bands;
 }

@@ -26,7 +26,7 @@ TEST(Waves, DispersionAgreesWithIndependentValues) {
   EXPECT_NEAR(wave_frequency(0.1, 20.0), 0.972477, 1e-6);
   EXPECT_NEAR(wave_group_speed(0.1, 20.0), 5.575084, 5e-6);
   EXPECT_NEAR(wave_frequency(1.0, 5.0), 3.131950, 1.5e-5);  // capillarity adds 1.2e-5
-  EXPECT_NEAR(wave_group_speed(1.0, 5.0), 1.567397, 4e-5);      // … and 2.9e-5 here
+  EXPECT_NEAR(wave_group_speed(1.0, 5.0), 1.567397, 4e-5);  // … and 2.9e-5 here
   EXPECT_NEAR(wave_frequency(100.0, 5.0), 32.480764, 1e-5);
   EXPECT_NEAR(wave_group_speed(100.0, 5.0), 0.185187, 1e-6);
 }
