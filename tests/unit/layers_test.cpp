@@ -40,7 +40,7 @@ Includes read_tree(const fs::path& root) {
       if (type != ".h" && type != ".cpp") continue;
       std::ifstream in(entry.path());
       const std::string text(std::istreambuf_iterator<char>(in), {});
-      result[fs::relative(entry.path(), root).generic_string()] = includes_in(text);
+      result[entry.path().lexically_relative(root).generic_string()] = includes_in(text);
     }
   }
   return result;

@@ -164,7 +164,9 @@ TEST_F(Models, AGltfFindsItsFilesBesideIt) {
   boat.root["images"] = {{{"uri", "red.png"}}};
   const Model model = load(boat.root.dump(), "inside/boat.gltf");
   EXPECT_EQ(model.vertices.size(), 4u);
-  if (reads_pictures()) EXPECT_EQ(model.images.at(0).pixels, (std::vector<float>{1, 0, 0}));
+  if (reads_pictures()) {
+    EXPECT_EQ(model.images.at(0).pixels, (std::vector<float>{1, 0, 0}));
+  }
 }
 
 TEST_F(Models, ABufferMayBeADataUri) {
@@ -319,7 +321,7 @@ TEST_F(Models, EveryUnsoundPartIsRefused) {
       {"no such material", primitive("material", 1)},
       {"no such indices", primitive("indices", 4)},
       {"no positions", [](Boat& b) { b.primitive()["attributes"].erase("POSITION"); }},
-      {"index out of range", [](Boat& b) { b.binary[112] = 4; }},
+      {"index out of range", [](Boat& b) { b.binary[128] = 4; }},
       {"half a triangle", accessor(3, "count", 5)},
       {"NaN position", position(std::numeric_limits<float>::quiet_NaN())},
       {"infinite position", position(-std::numeric_limits<float>::infinity())},
