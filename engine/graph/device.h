@@ -22,7 +22,9 @@ class GraphDevice {
   /// Binds the attachments and sets the viewport to their size.
   virtual void bind_attachments(const std::vector<const gl::Texture*>& colours,
                                 const gl::Texture* depth) = 0;
-  /// Brackets a pass; `pass` comes back in collect_times().
+  /// Brackets a pass, or with kWholeFrame the frame round its passes; `pass` comes back in
+  /// collect_times().
+  static constexpr std::size_t kWholeFrame = static_cast<std::size_t>(-1);
   virtual void begin_timer(std::size_t pass) = 0;
   virtual void end_timer() = 0;
   struct Time {

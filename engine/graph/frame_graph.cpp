@@ -304,6 +304,7 @@ void FrameGraph::execute() {
   Impl& impl = *impl_;
   impl.find_live_passes();
   PassContext context(*this);
+  if (impl.timing) impl.device.begin_timer(GraphDevice::kWholeFrame);
   for (std::size_t i = 0; i < impl.passes.size(); ++i) {
     Pass& pass = impl.passes[i];
     const std::size_t row = report_row(pass.name);
@@ -340,8 +341,12 @@ void FrameGraph::execute() {
       if (!resource.imported && resource.last_use == i) impl.release(resource);
     }
   }
+  if (impl.timing) impl.device.end_timer();
   for (const GraphDevice::Time& time : impl.device.collect_times()) {
-    if (time.pass < report_.size()) report_[time.pass].milliseconds.push_back(time.milliseconds);
+    std::vector<double>& times = time.pass == GraphDevice::kWholeFrame
+                                     ? frame_milliseconds_
+                                     : report_[time.pass].milliseconds;
+    times.push_back(time.milliseconds);
   }
 }
 
@@ -354,6 +359,7 @@ std::size_t FrameGraph::report_row(const std::string& name) {
 }
 
 void FrameGraph::reset_report() {
+  frame_milliseconds_.clear();
   for (PassReport& row : report_) row = {.name = std::move(row.name), .milliseconds = {}};
 }
 void FrameGraph::set_timing(bool on) { impl_->timing = on; }

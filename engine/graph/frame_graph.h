@@ -132,6 +132,8 @@ class FrameGraph {
 
   /// Every pass seen since reset_report(), in order of first appearance.
   const std::vector<PassReport>& report() const { return report_; }
+  /// What whole frames took, from their first pass to their last; empty while timing is off.
+  const std::vector<double>& frame_milliseconds() const { return frame_milliseconds_; }
   void reset_report();
   /// Off by default: on a software renderer timing waits for every pass.
   void set_timing(bool on);
@@ -147,6 +149,7 @@ class FrameGraph {
   std::size_t report_row(const std::string& name);
   std::unique_ptr<Impl> impl_;
   std::vector<PassReport> report_;
+  std::vector<double> frame_milliseconds_;
 };
 
 }  // namespace offing

@@ -79,24 +79,27 @@ GLuint GlDevice::take_query() {
 }
 
 void GlDevice::begin_timer(std::size_t pass) {
-  timing_pass_ = pass;
+  Open timer{pass, 0.0, 0};
   if (software_) {
     glFinish();
-    started_ms_ = now_ms();
+    timer.started_ms = now_ms();
   } else {
-    begin_query_ = take_query();
-    glQueryCounter(begin_query_, GL_TIMESTAMP);
+    timer.query = take_query();
+    glQueryCounter(timer.query, GL_TIMESTAMP);
   }
+  open_.push_back(timer);
 }
 
 void GlDevice::end_timer() {
+  const Open timer = open_.back();
+  open_.pop_back();
   if (software_) {
     glFinish();
-    known_.push_back({timing_pass_, now_ms() - started_ms_});
+    known_.push_back({timer.pass, now_ms() - timer.started_ms});
   } else {
     const GLuint end = take_query();
     glQueryCounter(end, GL_TIMESTAMP);
-    pending_.push_back({timing_pass_, begin_query_, end});
+    pending_.push_back({timer.pass, timer.query, end});
   }
 }
 

@@ -39,9 +39,12 @@ class GlDevice : public GraphDevice {
   GLuint take_query();
   void forget_old_framebuffers();
   bool software_;
-  double started_ms_ = 0.0;
-  std::size_t timing_pass_ = 0;
-  GLuint begin_query_ = 0;
+  struct Open {
+    std::size_t pass;
+    double started_ms;
+    GLuint query;
+  };
+  std::vector<Open> open_;  ///< timers begun and not ended, innermost last
   std::deque<Pending> pending_;
   std::vector<GLuint> free_queries_;
   std::vector<Time> known_;

@@ -184,6 +184,8 @@ TEST_F(GraphOnGl, DrawsClearsAndTimesThroughItsPool) {
   ASSERT_EQ(graph.report().size(), 1u);
   EXPECT_EQ(graph.report()[0].ran, 3);
   EXPECT_EQ(graph.report()[0].milliseconds.size(), 3u);
+  EXPECT_GE(graph.frame_milliseconds().size(), 3u);
+  EXPECT_GE(graph.frame_milliseconds()[0], graph.report()[0].milliseconds[0]);
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+#pragma once
+
+namespace offing {
+
+/// What a helmsman sees.
+struct HelmView {
+  double heading = 0.0;    ///< rad from north, clockwise
+  double turn_rate = 0.0;  ///< rad/s, clockwise
+  double speed = 0.0;      ///< m/s ahead through the water
+  double wind_from = 0.0;  ///< rad, true wind
+};
+
+/// Steers: holds a heading, or takes her through the wind and holds the other tack.
+class Helmsman {
+ public:
+  enum class Task { kNone, kHold, kTack, kGybe };
+
+  Task task() const { return task_; }
+  double target() const { return target_; }
+  void release() { task_ = Task::kNone; }
+  void hold(double heading);
+  /// Tacks where the true wind is ahead of the beam, gybes where it is abaft, onto the same angle
+  /// on the other side, kept within 42 to 60 and 135 to 165 degrees.
+  void tack_or_gybe(const HelmView& view);
+  /// Rudder wanted, -1 to 1, positive turns the bow to starboard.
+  double step(const HelmView& view, double dt);
+
+ private:
+  Task task_ = Task::kNone;
+  double target_ = 0.0, integral_ = 0.0, turn_ = 0.0;
+};
+
+}  // namespace offing

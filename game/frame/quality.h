@@ -1,0 +1,16 @@
+#pragma once
+#include <string_view>
+
+namespace offing {
+
+/// What one pays for the picture.
+struct Quality {
+  const char* name;
+  int level;     ///< 0 low to 3 ultra: table sizes, mesh density
+  int sea_size;  ///< FFT points per side of a cascade
+};
+
+/// low, medium, high or ultra; anything else (`auto`) is low on a software renderer and high elsewhere.
+Quality quality_named(std::string_view name, bool software);
+
+}  // namespace offing
