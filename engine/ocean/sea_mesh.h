@@ -10,13 +10,13 @@ namespace offing {
 inline constexpr double kEarthRadius = 6371.0e3;  ///< m
 
 /// Which squares of sea to draw, and how finely. Squares of a quadtree that is fixed to the world
-/// (so vertices never swim), each drawn as `cells` × `cells` of the same grid; a square is split while
-/// its nearest point is closer than kReach times the side of its children. Between the last
-/// sixth of that distance and its end the vertex shader moves odd vertices onto the coarser grid, so
-/// that levels meet without a gap or a jump (Strugar 2010).
+/// (so vertices never swim), each drawn as `cells` × `cells` of the same grid; a square is split
+/// while its nearest point is closer than kReach times the side of its children. Between the last
+/// sixth of that distance and its end the vertex shader moves odd vertices onto the coarser grid,
+/// so that levels meet without a gap or a jump (Strugar 2010).
 struct SeaMesh {
-  static constexpr double kReach = 4.0;    ///< sides of a square up to which it is used
-  static constexpr double kMorph = 0.85;   ///< share of that at which morphing starts
+  static constexpr double kReach = 4.0;   ///< sides of a square up to which it is used
+  static constexpr double kMorph = 0.85;  ///< share of that at which morphing starts
 
   int cells = 8;                 ///< per side of a square; even
   double finest_spacing = 0.25;  ///< m

@@ -135,10 +135,10 @@ void main() {
   float spread = sqrt(surface.unresolved + 0.0016);
   float coverage = normal_below((ocean.foam.x - surface.jacobian) / spread);
   vec2 at = ocean.foam_grid.xy + parameter * ocean.foam_grid.z;
-  float pattern = 0.6 * texture(foam_pattern, at).r + 0.4 * texture(foam_pattern, 3.7 * at.yx).r;
-  float softness = 0.12 + 0.5 * clamp(distance / 300.0, 0.0, 1.0);
-  float foam = coverage * mix(smoothstep(1.0 - coverage - softness, 1.0 - coverage + softness, pattern),
-                              1.0, smoothstep(60.0, 400.0, distance));
+  float pattern = texture(foam_pattern, at).r;
+  float softness = min(0.15, coverage);
+  float broken = smoothstep(1.0 - coverage - softness, 1.0 - coverage + softness, pattern);
+  float foam = mix(broken, coverage, smoothstep(60.0, 300.0, distance));
   vec3 white = kFoamAlbedo / kWaterPi *
                (sun * max(dot(up, frame.sun_direction.xyz), 0.0) + from_sky * (0.5 + 0.5 * up.y) +
                 moon * max(dot(up, frame.moon_direction.xyz), 0.0));
