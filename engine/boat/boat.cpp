@@ -87,7 +87,7 @@ Boat::Boat(const R8Parameters& parameters)
   const Immersion canoe = immerse_level(hull_.shape(), 0.0);
   const double volume = canoe.volume + p_.keel_volume;
   const glm::dvec3 buoyancy =
-      (canoe.volume * canoe.centroid + p_.keel_volume * p_.keel_place) / volume;
+      (canoe.volume * canoe.centroid + p_.keel_volume * glm::dvec3(0.0, -0.85, canoe.centroid.z)) / volume;
   const double metacentre = buoyancy.y + canoe.transverse_inertia / volume;
   centre_ = {0.0, metacentre - p_.metacentric_height, buoyancy.z};
 
@@ -108,7 +108,8 @@ void Boat::start(glm::dvec2 position, double heading, double speed, const WaterS
   rig_reading_ = RigReading{};
   forces_ = BoatForces{};
   navigation_ = Navigation{};
-  jib_aback_ = flow_angle_ = felt_heel_ = rudder_wanted_ = 0.0;
+  jib_aback_ = flow_angle_ = flow_speed_ = felt_heel_ = 0.0;
+  set_sail_ = false;
   true_wind_ = glm::dvec2(0.0);
   masthead_wind_ = glm::dvec3(0.0);
   limits_ = 0;
@@ -182,7 +183,8 @@ void Boat::hold_heading(bool on) {
 void Boat::tack_or_gybe() { helmsman_.tack_or_gybe(helm_view()); }
 
 HelmView Boat::helm_view() const {
-  return {navigation_.heading, navigation_.turn_rate, navigation_.stw, navigation_.twd};
+  return {navigation_.heading, navigation_.turn_rate, navigation_.stw, navigation_.leeway,
+          navigation_.twd};
 }
 
 double Boat::energy() const {
@@ -222,7 +224,6 @@ void Boat::actuate(double dt) {
   const double helm = helmsman_.task() == Helmsman::Task::kNone
                           ? clean(controls_.rudder, -1.0, 1.0)
                           : helmsman_.step(helm_view(), dt);
-  rudder_wanted_ = helm;
   state_.rudder_angle =
       approach(state_.rudder_angle, helm * p_.rudder_most, p_.rudder_rate * dt);
 
@@ -231,8 +232,9 @@ void Boat::actuate(double dt) {
   order.main_sheet = main_limit(clean(controls_.mainsheet, 0.0, 1.0));
   order.jib_sheet = jib_limit(clean(controls_.jib_sheet, 0.0, 1.0));
   order.reef = reef_most;
-  if (controls_.auto_trim) {
-    order = autotrim_.step(p_.rig, {flow_angle_, navigation_.heel, navigation_.stw, helm},
+  if (controls_.auto_trim && flow_speed_ > 0.0) {
+    order = autotrim_.step(p_.rig, {flow_angle_, flow_speed_, navigation_.leeway, navigation_.heel,
+                                    navigation_.stw, helm},
                            reef_most, dt);
   }
   // Sheets are pulled slower than they run out; a reef takes its time.
@@ -241,6 +243,11 @@ void Boat::actuate(double dt) {
     now = approach(now, wanted, (wanted > now ? kRun : kPull) * dt);
   };
   const RigParameters& rig = p_.rig;
+  if (!set_sail_ && flow_speed_ > 0.0) {  // she starts with sails set for the wind she meets
+    state_.flat = order.flat;
+    state_.reef = order.reef;
+    set_sail_ = true;
+  }
   sheet(state_.mainsheet,
         (order.main_sheet - rig.boom_least) / (rig.boom_stop - rig.boom_least));
   sheet(state_.jib_sheet, (order.jib_sheet - rig.jib_least) / (rig.jib_stop - rig.jib_least));
@@ -346,6 +353,7 @@ void Boat::add_air(Loads& loads, const WindField& wind, double dt) {
   rig_reading_ = rig_.add_loads(loads, set, centre_, main_wind, jib_wind);
   forces_.sails = loads.force() - before;
   flow_angle_ = std::atan2(main_wind.x, main_wind.z);
+  flow_speed_ = std::hypot(main_wind.x, main_wind.z);
 
   // Hull and mast: areas across and along her, at the speed of the wind in the jib.
   const double pressure = 0.5 * kAirDensity * std::hypot(jib_wind.x, jib_wind.z);

@@ -85,6 +85,7 @@ class Boat {
   void hold_heading_at(double heading) { helmsman_.hold(heading); }
   /// Through the wind by herself, then holds the new heading until the helm is touched.
   void tack_or_gybe();
+  double hold_target() const { return helmsman_.target(); }  ///< rad
   Helmsman::Task manoeuvre() const { return helmsman_.task(); }
 
   // ---- what she tells --------------------------------------------------------------------------
@@ -137,7 +138,8 @@ class Boat {
   glm::dvec3 external_force_{0.0}, external_place_{0.0};
   glm::dvec2 true_wind_{0.0};
   glm::dvec3 masthead_wind_{0.0};
-  double rudder_wanted_ = 0.0, jib_aback_ = 0.0, flow_angle_ = 0.0, felt_heel_ = 0.0;
+  bool set_sail_ = false;  ///< sheets and reefs were set after start()
+  double jib_aback_ = 0.0, flow_angle_ = 0.0, flow_speed_ = 0.0, felt_heel_ = 0.0;
   long limits_ = 0, probe_limits_at_start_ = 0;
 };
 

@@ -7,10 +7,12 @@ struct HelmView {
   double heading = 0.0;    ///< rad from north, clockwise
   double turn_rate = 0.0;  ///< rad/s, clockwise
   double speed = 0.0;      ///< m/s ahead through the water
+  double leeway = 0.0;     ///< rad
   double wind_from = 0.0;  ///< rad, true wind
 };
 
-/// Steers: holds a heading, or takes her through the wind and holds the other tack.
+/// Steers: holds a heading, or takes her through the wind and holds the other tack. When she has lost
+/// her way near the wind, or slides sideways on a stalled keel, bears away first to get it back.
 class Helmsman {
  public:
   enum class Task { kNone, kHold, kTack, kGybe };
@@ -27,6 +29,7 @@ class Helmsman {
 
  private:
   Task task_ = Task::kNone;
+  bool recovering_ = false;
   double target_ = 0.0, integral_ = 0.0, turn_ = 0.0;
 };
 

@@ -63,6 +63,13 @@ HullReading Hull::add_loads(Loads& loads, const RigidBody& body, const RigidBody
   const double displaced = body.mass / kWaterDensity;
   const double wetness = std::clamp(reading.volume / displaced, 0.0, 1.0);
   loads.add(wetness * body.added_mass * (body_from_world * acceleration), glm::dvec3(0.0));
+  // Munk's moment: a long body that drifts wants to lie across its way (Newman 1977, 4.13). It is
+  // what brings the centre of lateral resistance forward of the keel, and the bow round from irons.
+  const glm::dvec3 drift = velocity - body_from_world * water.mean_velocity();
+  loads.add_torque({0.0,
+                    -wetness * damping_.munk * (body.added_mass.x - body.added_mass.z) * drift.x *
+                        drift.z,
+                    0.0});
   // Rolling to starboard is a negative turn about z (aft).
   loads.add_angular_damping(wetness * glm::dvec3(0.0, damping_.yaw, damping_.roll),
                             rate - glm::dvec3(0.0, 0.0, water.roll_rate()));

@@ -20,7 +20,7 @@ struct R8Parameters {
 
   double keel_span = 1.16, keel_chord = 0.73, keel_area = 0.85;
   double keel_volume = 0.062;                    ///< m^3
-  glm::dvec3 keel_place{0.0, -0.80, -0.55};      ///< of its lift
+  glm::dvec3 keel_place{0.0, -0.80, -0.4};       ///< of its lift
   double rudder_span = 0.95, rudder_chord = 0.42, rudder_area = 0.40;
   glm::dvec3 rudder_place{0.0, -0.60, 3.0};
   double rudder_most = 0.6109;        ///< rad, 35 degrees
