@@ -9,8 +9,8 @@
 namespace offing {
 namespace {
 
-/// How much sail (0 to 1, as `power` below) she can carry close-hauled in an apparent wind: full sail
-/// at best lift against what holds her upright at 26 degrees, crew out.
+/// How much sail (0 to 1, as `power` below) she can carry close-hauled in an apparent wind: full
+/// sail at best lift against what holds her upright at 26 degrees, crew out.
 double power_for(const RigParameters& rig, double wind) {
   constexpr double kRightingMoment = 11500.0, kBestLift = 1.4, kArmBelow = 0.75;  // N m, -, m
   const double area = rig.main_area + rig.jib_area;
@@ -27,7 +27,7 @@ double power_for(const RigParameters& rig, double wind) {
 TrimOrder AutoTrim::step(const RigParameters& rig, const TrimView& view, double reef_most,
                          double dt) {
   constexpr double kBestAttack = radians(22.0), kMostHeel = radians(26.0);
-  constexpr double kEye = 0.6, kFeel = 1.0;  // s: how fast the crew notices
+  constexpr double kEye = 2.0, kFeel = 1.0;  // s: how fast the crew notices
   if (!started_) {
     apparent_ = std::abs(view.apparent);
     wind_ = view.wind;
@@ -53,7 +53,8 @@ TrimOrder AutoTrim::step(const RigParameters& rig, const TrimView& view, double 
   const double spill = std::clamp(std::abs(view.heel) - kMostHeel - radians(4.0), 0.0, 0.35);
   // Sliding sideways, less press brings her to go ahead again.
   const double slide = std::clamp(std::abs(view.leeway) - radians(12.0), 0.0, radians(45.0));
-  order.main_sheet = std::clamp(apparent_ - kBestAttack + spill + slide, rig.boom_least, rig.boom_stop);
+  order.main_sheet =
+      std::clamp(apparent_ - kBestAttack + spill + slide, rig.boom_least, rig.boom_stop);
   order.jib_sheet = std::clamp(apparent_ - kBestAttack, rig.jib_least, rig.jib_stop);
 
   const bool in_irons = view.speed < 0.5 && apparent_ < radians(24.0);

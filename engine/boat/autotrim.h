@@ -19,12 +19,13 @@ struct TrimOrder {
   double jib_sheet = 0.0;   ///< rad
   double flat = 1.0;
   double reef = 1.0;
-  double jib_aback = 0.0;   ///< 0, or the side the clew is held to: -1 port, +1 starboard
+  double jib_aback = 0.0;  ///< 0, or the side the clew is held to: -1 port, +1 starboard
 };
 
-/// Trims both sails for 22 degrees of attack, with as much sail as the wind allows her to carry; past
-/// 26 degrees of heel flattens, then reefs, and spills wind from the main in gusts; eases while she
-/// slides sideways with a stalled keel; head to wind without way, backs the jib to turn the bow.
+/// Trims both sails for 22 degrees of attack, with as much sail as the wind allows her to carry;
+/// past 26 degrees of heel flattens, then reefs, and spills wind from the main in gusts; eases
+/// while she slides sideways with a stalled keel; head to wind without way, backs the jib to turn
+/// the bow.
 class AutoTrim {
  public:
   void reset() { *this = AutoTrim{}; }

@@ -26,6 +26,16 @@ void Helmsman::tack_or_gybe(const HelmView& view) {
 
 double Helmsman::step(const HelmView& view, double dt) {
   if (task_ == Task::kNone) return 0.0;
+  const double helm = wanted(view, dt);
+  if (view.speed < 0.2) return helm;
+  // Beyond its stall a rudder brakes more than it turns.
+  constexpr double kMostAttack = radians(17.0);
+  const double low = std::clamp((view.free_rudder - kMostAttack) / view.rudder_most, -1.0, 1.0);
+  const double high = std::clamp((view.free_rudder + kMostAttack) / view.rudder_most, -1.0, 1.0);
+  return std::clamp(helm, low, high);
+}
+
+double Helmsman::wanted(const HelmView& view, double dt) {
   const double wind = wrap_pi(view.wind_from - view.heading);
   const double stalled = radians(25.0), flowing = radians(9.0);
   if (std::abs(wind) > radians(100.0) || (view.speed > 1.3 && std::abs(view.leeway) < flowing)) {
