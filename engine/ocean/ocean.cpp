@@ -170,13 +170,14 @@ void Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea
   }
   const int cells = settings_.mesh_cells;
   drawn_vertices_ = static_cast<int>(squares.size()) * (cells + 1) * (cells + 1);
+  const bool nothing_in_view = squares.empty();
   graph.add(
       "sea.draw",
       [&](PassBuilder& pass) {
         pass.read(sea.displacement).read(sea.slopes).read(dry);
         sky.declare(pass);
         pass.modify(hdr).modify(depth).render_to({hdr}, depth);
-        pass.skip_if(!visible || squares.empty());
+        pass.skip_if(nothing_in_view);
       },
       [this, view, sea, dry, bind_sky = sky.bind,
        squares = std::move(squares)](const PassContext& context) {
