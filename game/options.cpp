@@ -1,7 +1,7 @@
 #include "game/options.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include <charconv>
 #include <cmath>
@@ -26,15 +26,16 @@ std::string list_keys() {
   FieldTable table = scene.fields();
   std::string text;
   for (const Field& field : table.fields()) {
-    text += fmt::format("{:<32} {:<24} {} ({})\n", field.key, FieldTable::to_text(field), field.help,
-                        FieldTable::allowed(field));
+    text += fmt::format("{:<32} {:<24} {} ({})\n", field.key, FieldTable::to_text(field),
+                        field.help, FieldTable::allowed(field));
   }
   return text;
 }
 
 std::string overview() {
   std::string text =
-      "offing: sail a boat over an FFT ocean, in one wind\n\nUsage: ./offing [verb] [options]\n\nVerbs:\n";
+      "offing: sail a boat over an FFT ocean, in one wind\n\nUsage: ./offing [verb] "
+      "[options]\n\nVerbs:\n";
   for (const auto& [verb, help] : kVerbs) text += fmt::format("  {:<8} {}\n", verb, help);
   return text + "  test     build and run every test (launcher only)\n\n";
 }
@@ -50,12 +51,14 @@ std::string one_line(std::string text) {
 
 void add_common(CLI::App& app, Options& options, std::string& size) {
   app.add_option("--scene", options.scene, "a name in assets/scenes/, or a file");
-  app.add_option("--set", options.sets, "key=value: any scene key, repeatable")->allow_extra_args(false);
+  app.add_option("--set", options.sets, "key=value: any scene key, repeatable")
+      ->allow_extra_args(false);
   app.add_option("--size", size, "WxH in pixels");
   app.add_option("--quality", options.quality, "low, medium, high, ultra or auto")
       ->check(CLI::IsMember({"low", "medium", "high", "ultra", "auto"}));
   app.add_option("--seed", options.seed, "seed of the sea");
-  app.add_option("--fps", options.fps, "fixed step of runs without a window")->check(CLI::Range(1.0, 1000.0));
+  app.add_option("--fps", options.fps, "fixed step of runs without a window")
+      ->check(CLI::Range(1.0, 1000.0));
 }
 
 void add_for_verb(CLI::App& app, Options& options) {
@@ -69,7 +72,8 @@ void add_for_verb(CLI::App& app, Options& options) {
     app.add_option("--warmup", options.warmup, "frames before those")->check(CLI::Range(0, 100000));
   }
   if (verb == "render") app.add_option("--report", options.report, "write a JSON report here");
-  if (verb == "bench") app.add_option("--json", options.json, "write the report here, not to stdout");
+  if (verb == "bench")
+    app.add_option("--json", options.json, "write the report here, not to stdout");
   if (verb == "export") {
     app.add_option("--time", options.time, "the sea's clock, s")->check(CLI::Range(-1e12, 1e12));
     app.add_option("--points", options.points, "heights: CSV with x,z per line, m");
@@ -77,7 +81,8 @@ void add_for_verb(CLI::App& app, Options& options) {
         ->check(CLI::IsMember({"readback", "direct"}));
     app.add_option("--tws", options.tws, "polar: true wind speeds, kn");
     app.add_option("--twa", options.twa, "polar: true wind angles, deg");
-    app.add_option("--seconds", options.seconds, "boat: length of the run")->check(CLI::Range(0.0, 1e6));
+    app.add_option("--seconds", options.seconds, "boat: length of the run")
+        ->check(CLI::Range(0.0, 1e6));
     app.add_option("--dt", options.dt, "boat: time step, s")->check(CLI::Range(1e-4, 0.1));
   }
 }
@@ -94,7 +99,8 @@ CommandLine parse_command_line(int count, const char* const* arguments) {
     rest.erase(rest.begin());
     named = true;
     if (!kVerbs.contains(options.verb)) {
-      throw InputError(fmt::format("{}: no such verb; use play, render, export, bench or test", options.verb));
+      throw InputError(
+          fmt::format("{}: no such verb; use play, render, export, bench or test", options.verb));
     }
   }
   if (options.verb == "bench") {
@@ -123,7 +129,8 @@ CommandLine parse_command_line(int count, const char* const* arguments) {
       result.text = list_keys();
       return result;
     }
-    throw InputError(fmt::format("{}; see ./offing {} --help", one_line(error.what()), options.verb));
+    throw InputError(
+        fmt::format("{}; see ./offing {} --help", one_line(error.what()), options.verb));
   }
   if (keys) {
     result.text = list_keys();
@@ -144,7 +151,8 @@ glm::ivec2 parse_size(const std::string& text) {
       return size;
     }
   }
-  throw InputError(fmt::format("--size {}: must be WIDTHxHEIGHT, each 16 to 16384, as in 640x360", text));
+  throw InputError(
+      fmt::format("--size {}: must be WIDTHxHEIGHT, each 16 to 16384, as in 640x360", text));
 }
 
 std::vector<double> parse_numbers(const std::string& option, const std::string& text) {

@@ -40,6 +40,7 @@ class Environment {
   double clock_rate = 1.0;  ///< seconds of day and night per second of sailing
 
   /// The scene keys environment.*, bound to this object. Date and time are text there.
+  /// The table must not outlive the object, nor the object move.
   void describe(FieldTable& table);
   /// Takes over date and time as set through the table: call after setting fields.
   void apply_fields();
@@ -48,9 +49,14 @@ class Environment {
   void advance(double dt);
 
   double utc_seconds() const { return utc_seconds_; }
+  /// Kept within the years 1600 to 2200: the clock stops at either end.
   void set_utc_seconds(double seconds);
+  /// UTC as text: "2026-08-12" and "15:30:00".
+  const std::string& date() const { return date_text_; }
+  const std::string& time() const { return time_text_; }
   double elapsed() const { return elapsed_; }
-  void set_elapsed(double seconds) { elapsed_ = seconds; }
+  /// Also moves the gusts to where the present wind would have carried them since time 0.
+  void set_elapsed(double seconds);
 
   /// Unit vector (x east, z south) the mean wind blows toward, and the velocity in m/s at 10 m.
   glm::dvec2 wind_to() const;
@@ -61,6 +67,8 @@ class Environment {
   glm::dvec2 wind_at(glm::dvec2 position, double height) const;
   /// The gust factor alone (1 = mean wind), for the look of the water.
   double gust_factor(glm::dvec2 position) const;
+  /// Where the gust field's origin lies now (x, z; metres, within one period), for its texture.
+  glm::dvec2 gust_origin() const { return gust_origin_; }
 
   /// Sun and moon for the clock and the place.
   const CelestialState& celestial() const;
@@ -69,6 +77,8 @@ class Environment {
   std::string date_text_, time_text_;
   double utc_seconds_ = 0.0;
   double elapsed_ = 0.0;
+  glm::dvec2 gust_origin_{0.0};
+  mutable Ephemeris ephemeris_;
   mutable CelestialState celestial_;
   mutable double celestial_key_[3] = {1e300, 0.0, 0.0};
 };

@@ -6,12 +6,12 @@ namespace offing {
 /// What one pays for the picture.
 struct Quality {
   const char* name;
-  int sea_size;        ///< FFT points per side of a cascade
-  int sea_mesh;        ///< cells per side of a clipmap ring
-  int sky_view_width;  ///< of the sky-view table; its height follows
+  int level;     ///< 0 low to 3 ultra: table sizes, mesh density
+  int sea_size;  ///< FFT points per side of a cascade
 };
 
-/// low, medium, high, ultra; `auto` is low on a software renderer and high elsewhere.
+/// low, medium, high or ultra; anything else (`auto`) is low on a software renderer and high
+/// elsewhere.
 Quality quality_named(std::string_view name, bool software);
 
 }  // namespace offing

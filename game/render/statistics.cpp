@@ -13,8 +13,11 @@ nlohmann::ordered_json statistics_of(std::vector<double> milliseconds) {
     const auto index = static_cast<std::size_t>(std::max(place, 1.0)) - 1;
     return milliseconds[std::min(index, milliseconds.size() - 1)];
   };
-  return {{"min", milliseconds.front()}, {"median", rank(0.5)}, {"p95", rank(0.95)},
-          {"p99", rank(0.99)},           {"max", milliseconds.back()}};
+  return {{"min", milliseconds.front()},
+          {"median", rank(0.5)},
+          {"p95", rank(0.95)},
+          {"p99", rank(0.99)},
+          {"max", milliseconds.back()}};
 }
 
 }  // namespace offing

@@ -8,6 +8,8 @@
 namespace offing {
 namespace {
 
+constexpr double kOffTheQuarter = -0.35;  // rad: the chase camera sees the sails, not their edges
+
 // World from camera for a look along `heading` (from north, clockwise) and `pitch` (up positive).
 glm::dquat level_look(double heading, double pitch) {
   return glm::angleAxis(-heading, glm::dvec3(0.0, 1.0, 0.0)) *
@@ -43,10 +45,14 @@ void Camera::set_mode(CameraMode mode) {
 void Camera::next_mode() {
   // The free camera stays where a scene put it, so it is not among those to cycle through.
   switch (mode_) {
-    case CameraMode::kChase: return set_mode(CameraMode::kHelm);
-    case CameraMode::kHelm: return set_mode(CameraMode::kMast);
-    case CameraMode::kMast: return set_mode(CameraMode::kOrbit);
-    default: return set_mode(CameraMode::kChase);
+    case CameraMode::kChase:
+      return set_mode(CameraMode::kHelm);
+    case CameraMode::kHelm:
+      return set_mode(CameraMode::kMast);
+    case CameraMode::kMast:
+      return set_mode(CameraMode::kOrbit);
+    default:
+      return set_mode(CameraMode::kChase);
   }
 }
 
@@ -55,7 +61,9 @@ void Camera::look(double yaw, double pitch) {
   pitch_ = std::clamp(pitch_ + pitch, -1.2, 1.2);
 }
 
-void Camera::zoom(double notches) { distance_ = std::clamp(distance_ * std::pow(0.88, notches), 0.35, 12.0); }
+void Camera::zoom(double notches) {
+  distance_ = std::clamp(distance_ * std::pow(0.88, notches), 0.35, 12.0);
+}
 
 void Camera::update(const CameraSubject& subject, double dt) {
   const double heading = heading_of(subject.orientation);
@@ -73,7 +81,7 @@ void Camera::update(const CameraSubject& subject, double dt) {
     case CameraMode::kChase:
     case CameraMode::kOrbit: {
       const bool orbit = mode_ == CameraMode::kOrbit;
-      const double around = (orbit ? 2.4 : followed_heading_) + turned;
+      const double around = orbit ? 2.4 + turned : followed_heading_ + kOffTheQuarter + turned;
       const double down = std::clamp((orbit ? -0.22 : -0.20) + pitch_, -1.45, 0.25);
       const double radius = (orbit ? 19.0 : 17.0) * distance_;
       const glm::dvec3 centre(subject.position.x, followed_height_ + 3.4, subject.position.z);
@@ -87,9 +95,9 @@ void Camera::update(const CameraSubject& subject, double dt) {
     case CameraMode::kHelm: {
       pose_.position = subject.position + subject.orientation * glm::dvec3(0.45, 2.05, 2.9);
       const glm::dquat level = level_look(heading + turned, pitch_ - 0.05);
-      const glm::dquat aboard =
-          subject.orientation * glm::angleAxis(-turned, glm::dvec3(0.0, 1.0, 0.0)) *
-          glm::angleAxis(pitch_ - 0.05, glm::dvec3(1.0, 0.0, 0.0));
+      const glm::dquat aboard = subject.orientation *
+                                glm::angleAxis(-turned, glm::dvec3(0.0, 1.0, 0.0)) *
+                                glm::angleAxis(pitch_ - 0.05, glm::dvec3(1.0, 0.0, 0.0));
       pose_.orientation = glm::slerp(level, aboard, 0.35);
       break;
     }

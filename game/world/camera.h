@@ -52,7 +52,8 @@ class Camera {
   CameraPose pose_;
 };
 
-/// Reversed-depth projection without a far plane: 1 at `near`, 0 infinitely far. `fov` vertical, rad.
+/// Reversed-depth projection without a far plane: 1 at `near`, 0 infinitely far. `fov` vertical,
+/// rad.
 glm::mat4 reversed_projection(double fov, double aspect, double near);
 
 }  // namespace offing

@@ -12,13 +12,16 @@ FieldTable Scene::fields() {
   environment.describe(table);
   sea.describe(table);
   table.group("boat")
-      .number("heading", boat.heading_deg, {-360.0, 360.0}, "deg", "where the bow points at the start, true")
+      .number("heading", boat.heading_deg, {-360.0, 360.0}, "deg",
+              "where the bow points at the start, true")
       .number("speed", boat.speed, {0.0, 10.0}, "m/s", "speed through the water at the start")
       .vector("position", boat.position, {-1e7, 1e7}, "m", "x (east), z (south) at the start");
   table.group("camera")
-      .choice("mode", camera.mode, {"chase", "helm", "mast", "free", "orbit"}, "where one looks from")
+      .choice("mode", camera.mode, {"chase", "helm", "mast", "free", "orbit"},
+              "where one looks from")
       .vector("position", camera.position, {-1e7, 1e7}, "m", "of the free camera: x, y (up), z")
-      .vector("target", camera.target, {-1e7, 1e7}, "m", "what the free camera looks at: x, y (up), z")
+      .vector("target", camera.target, {-1e7, 1e7}, "m",
+              "what the free camera looks at: x, y (up), z")
       .number("fov", camera.field_of_view_deg, {10.0, 120.0}, "deg", "vertical field of view");
   table.group("");
   table.integer("seed", seed, {0, 1000000000}, "of the sea's waves");
@@ -33,7 +36,8 @@ Scene make_scene(const std::string& name_or_file, const std::vector<std::string>
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos) {
-      throw InputError(fmt::format("--set {}: must be key=value; --list-keys names the keys", setting));
+      throw InputError(
+          fmt::format("--set {}: must be key=value; --list-keys names the keys", setting));
     }
     table.set_from_text(setting.substr(0, equals), setting.substr(equals + 1), "--set");
   }

@@ -13,9 +13,9 @@ namespace offing {
 
 /// Where the boat starts.
 struct BoatStart {
-  double heading_deg = 90.0;     ///< degrees true
-  double speed = 3.0;            ///< m/s through the water
-  glm::dvec2 position{0.0};      ///< x east, z south, m
+  double heading_deg = 90.0;  ///< degrees true
+  double speed = 3.0;         ///< m/s through the water
+  glm::dvec2 position{0.0};   ///< x east, z south, m
 };
 
 enum class CameraMode : int { kChase, kHelm, kMast, kFree, kOrbit };

@@ -1,0 +1,55 @@
+#include "engine/boat/polar.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/angles.h"
+
+namespace offing {
+
+SteadySailing sail_steadily(const R8Parameters& parameters, double tws, double twa, double seconds,
+                            double dt) {
+  Boat boat(parameters);
+  const CalmWater water;
+  const SteadyWind wind(tws, 0.0);
+  boat.start({0.0, 0.0}, -twa, std::min(0.4 * tws, 2.5), water, 0.0);
+  boat.hold_heading_at(-twa);
+
+  constexpr double kWindow = 10.0, kDriftTime = 3.0, kMostDrift = radians(20.0);
+  SteadySailing mean;
+  const int window = std::max(1, static_cast<int>(std::lround(kWindow / dt)));
+  const int windows = std::max(2, static_cast<int>(seconds / kWindow));
+  const double side = twa < 0.0 ? -1.0 : 1.0;
+  double last_speed = -1.0;
+  double drift = 0.0;
+  for (int w = 0; w < windows; ++w) {
+    mean = SteadySailing{};
+    bool recovered = false;
+    for (int i = 0; i < window; ++i) {
+      boat.step(water, wind, dt * (w * window + i), dt);
+      const Navigation& n = boat.navigation();
+      recovered = recovered || boat.recovering();
+      // The course through the water is what lies at `twa`: the bow points higher by the leeway.
+      drift += (std::clamp(n.leeway, -kMostDrift, kMostDrift) - drift) * (dt / kDriftTime);
+      boat.hold_heading_at(-twa - drift);
+      mean.speed += n.stw / window;
+      mean.vmg += n.vmg / window;
+      mean.heel += std::abs(n.heel) / window;
+      mean.leeway += std::abs(n.leeway) / window;
+      mean.twa += (twa + wrap_pi(n.twa - n.leeway - twa)) / window;
+      // Weather helm: she wants up, to the side of the wind; the rudder holds her off.
+      mean.rudder -= side * boat.state().rudder_angle / window;
+    }
+    if (recovered) {  // she had to bear away: there is no steady sailing on this course
+      mean.speed = mean.vmg = 0.0;
+    }
+    mean.limit_hits = boat.limit_hits();
+    mean.settled =
+        !recovered && std::abs(mean.speed - last_speed) <= 0.002 * std::abs(mean.speed) + 1e-4;
+    if (mean.settled && w >= 3) break;
+    last_speed = mean.speed;
+  }
+  return mean;
+}
+
+}  // namespace offing

@@ -1,0 +1,56 @@
+#include "engine/post/tonemap.h"
+
+namespace offing {
+
+Tonemap::Tonemap(ShaderLibrary& shaders)
+    : no_vertices_("tone map"), count_("nonfinite pixels", sizeof(std::uint32_t)) {
+  for (int curve = 0; curve < 2; ++curve) {
+    for (int counts = 0; counts < 2; ++counts) {
+      ShaderDefines defines;
+      if (curve == 1) defines.emplace_back("EXPONENTIAL", "1");
+      if (counts == 1) defines.emplace_back("COUNT_NONFINITE", "1");
+      programs_[curve][counts] =
+          &shaders.program({"post/full_screen.vert", "post/tonemap.frag"}, defines);
+    }
+  }
+  count_.write(std::uint32_t{0});
+}
+
+const ShaderProgram& Tonemap::program(const TonemapSettings& settings) const {
+  return *programs_[settings.curve == ToneCurve::kExponential ? 1 : 0]
+                   [settings.count_nonfinite ? 1 : 0];
+}
+
+void Tonemap::add(FrameGraph& graph, TextureId hdr, TextureId out,
+                  const TonemapSettings& settings) {
+  const BufferId count = graph.import(count_);
+  graph.add(
+      "post.tonemap",
+      [&](PassBuilder& pass) {
+        pass.read(hdr).write(out, Access::kAttachment).render_to({out});
+        if (settings.count_nonfinite) pass.modify(count);
+      },
+      [this, hdr, settings](PassContext& context) {
+        const ShaderProgram& tonemap = program(settings);
+        glDisable(GL_DEPTH_TEST);
+        glDisable(GL_BLEND);
+        glDisable(GL_DITHER);
+        glBindSampler(0, 0);
+        context.texture(hdr).bind(0);
+        if (settings.count_nonfinite) count_.bind_storage(0);
+        tonemap.use();
+        tonemap.program().set(0, static_cast<float>(settings.exposure));
+        no_vertices_.bind();
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+      });
+}
+
+std::uint32_t Tonemap::take_nonfinite_pixels() {
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  std::uint32_t count = 0;
+  count_.read(&count, sizeof(count));
+  count_.write(std::uint32_t{0});
+  return count;
+}
+
+}  // namespace offing

@@ -1,0 +1,259 @@
+#include "engine/sky/sky.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <span>
+
+#include "engine/core/random.h"
+#include "engine/sky/stars.h"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/sky.h"
+
+#define OFFING_GLSL "shaders/lib/phase.glsl"
+#include "engine/core/glsl_double.h"
+#define OFFING_GLSL "shaders/lib/scattering.glsl"
+#include "engine/core/glsl_double.h"
+
+namespace offing {
+namespace {
+
+constexpr int kTransmittanceWidth = 256, kTransmittanceHeight = 64, kMultiscatterSize = 32;
+
+struct Quality {
+  int width, height, steps;
+};
+// Half the azimuths stand for all: the width counts double.
+constexpr Quality kQuality[] = {{96, 64, 24}, {128, 96, 30}, {192, 108, 36}, {256, 144, 48}};
+
+/// Steps in which a light's elevation is told apart: twilight changes by 0.1 % in one.
+constexpr double kElevationStep = 0.002 * 3.14159265358979 / 180.0;
+/// A light this weak against the night's own glow is left out (lux above the air, times what of it
+/// the air can still scatter: nothing below 19 degrees under the horizon).
+constexpr double kLowestSine = -0.3256;
+
+constexpr double kStarLux = 2.54e-6;  // magnitude 0, above the air
+constexpr double kEarthshine = 0.25;  // cd/m^2 on the moon at new moon
+
+gl::Texture cleared(const std::string& label, int width, int height) {
+  gl::Texture texture(label, {.format = GL_RGBA32F, .width = width, .height = height});
+  glClearTexImage(texture.id(), 0, GL_RGBA, GL_FLOAT, nullptr);
+  return texture;
+}
+
+GLuint groups(int size) { return static_cast<GLuint>((size + 7) / 8); }
+
+void dispatch_over(const gl::Texture& table) {
+  table.bind_image(0, GL_WRITE_ONLY);
+  glDispatchCompute(groups(table.width()), groups(table.height()), 1);
+}
+
+ShaderDefines steps(int quality) {
+  return {{"STEPS", std::to_string(kQuality[std::clamp(quality, 0, 3)].steps)}};
+}
+
+glm::vec4 pack(const glm::dvec3& v, double w) {
+  return glm::vec4(glm::vec3(v), static_cast<float>(w));
+}
+
+/// Toward a direction in the plane; any where it is the zenith.
+glm::dvec2 heading(const glm::dvec3& direction) {
+  const double length = std::hypot(direction.x, direction.z);
+  return length > 1e-9 ? glm::dvec2(direction.x, direction.z) / length : glm::dvec2(1.0, 0.0);
+}
+
+}  // namespace
+
+void SkyIds::read_by(PassBuilder& pass) const {
+  pass.read(sun).read(moon).read(transmittance).read(block, Access::kUniform);
+}
+
+Sky::Sky(ShaderLibrary& shaders, int quality)
+    : transmittance_program_(shaders.program({"sky/transmittance.comp"})),
+      multiscatter_program_(shaders.program({"sky/multiscatter.comp"})),
+      view_program_(shaders.program({"sky/view.comp"}, steps(quality))),
+      background_program_(shaders.program({"sky/full_screen.vert", "sky/background.frag"})),
+      stars_program_(shaders.program({"sky/stars.vert", "sky/stars.frag"})),
+      linear_("sky tables", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
+      block_("sky block", sizeof(shared::SkyData)),
+      star_array_("stars"),
+      no_vertices_("full screen") {
+  const Quality& q = kQuality[std::clamp(quality, 0, 3)];
+  transmittance_ = cleared("sky transmittance", kTransmittanceWidth, kTransmittanceHeight);
+  multiscatter_ = cleared("sky multiscatter", kMultiscatterSize, kMultiscatterSize);
+  sun_view_ = cleared("sky view of the sun", q.width, q.height);
+  moon_view_ = cleared("sky view of the moon", q.width, q.height);
+  const std::vector<StarVertex> stars = make_stars();
+  star_count_ = static_cast<int>(stars.size());
+  star_vertices_ = gl::Buffer::of<StarVertex>("stars", stars);
+  star_array_.attribute(0, 4, star_vertices_.id(), sizeof(StarVertex), 0);
+  star_array_.attribute(1, 4, star_vertices_.id(), sizeof(StarVertex), sizeof(glm::vec4));
+}
+
+void Sky::add_view(FrameGraph& graph, const char* name, const gl::Texture& table,
+                   PassMemory& memory, double light_elevation, double height_km, glm::vec3 aerosol,
+                   bool needed, TextureId transmittance, TextureId multiscatter) {
+  const auto step = static_cast<std::int64_t>(std::llround(light_elevation / kElevationStep));
+  const float sine = static_cast<float>(std::sin(static_cast<double>(step) * kElevationStep));
+  const float height = static_cast<float>(height_km);
+  graph.add(
+      name,
+      [&](PassBuilder& pass) {
+        pass.read(transmittance)
+            .read(multiscatter)
+            .write(graph.import(table))
+            .cache(memory, hash_of(step, height, view_program_.generation()))
+            .skip_if(!needed);
+      },
+      [this, &table, aerosol, height, sine](PassContext&) {
+        view_program_.use();
+        view_program_.program().set(0, aerosol);
+        view_program_.program().set(1, glm::vec2(height, sine));
+        transmittance_.bind(OFFING_UNIT_TRANSMITTANCE);
+        multiscatter_.bind(OFFING_UNIT_MULTISCATTER);
+        linear_.bind(OFFING_UNIT_TRANSMITTANCE);
+        linear_.bind(OFFING_UNIT_MULTISCATTER);
+        dispatch_over(table);
+      });
+}
+
+SkyIds Sky::add_tables(FrameGraph& graph, const SkyLight& light) {
+  const glsl::Aerosol a = glsl::aerosol_of_haze(light.haze);
+  const glm::vec3 aerosol(glm::dvec3(a.scattering, a.extinction, a.scale_height));
+  SkyIds ids{graph.import(sun_view_), graph.import(moon_view_), graph.import(transmittance_),
+             graph.import(block_)};
+  const TextureId multiscatter = graph.import(multiscatter_);
+
+  graph.add(
+      "sky.transmittance",
+      [&](PassBuilder& pass) {
+        pass.write(ids.transmittance)
+            .cache(transmittance_memory_, hash_of(aerosol, transmittance_program_.generation()));
+      },
+      [this, aerosol](PassContext&) {
+        transmittance_program_.use();
+        transmittance_program_.program().set(0, aerosol);
+        dispatch_over(transmittance_);
+      });
+  graph.add(
+      "sky.multiscatter",
+      [&](PassBuilder& pass) {
+        pass.read(ids.transmittance)
+            .write(multiscatter)
+            .cache(multiscatter_memory_, hash_of(multiscatter_program_.generation()));
+      },
+      [this, aerosol](PassContext&) {
+        multiscatter_program_.use();
+        multiscatter_program_.program().set(0, aerosol);
+        transmittance_.bind(OFFING_UNIT_TRANSMITTANCE);
+        linear_.bind(OFFING_UNIT_TRANSMITTANCE);
+        dispatch_over(multiscatter_);
+      });
+
+  // To decimetres near the sea: the boat's heave must not make the tables anew.
+  const double coarse = light.camera_height < 100.0 ? 2.0 : 50.0;
+  const double height_km = std::max(1.0, std::round(light.camera_height / coarse)) * coarse * 1e-3;
+  const bool sun_lights = light.sun_direction.y > kLowestSine;
+  // The moon adds nothing that the eye could see while the sun is up.
+  const bool moon_lights = light.moon_direction.y > kLowestSine && light.sun_direction.y < 0.05;
+  add_view(graph, "sky.sun_view", sun_view_, sun_memory_, std::asin(light.sun_direction.y),
+           height_km, aerosol, sun_lights, ids.transmittance, multiscatter);
+  add_view(graph, "sky.moon_view", moon_view_, moon_memory_, std::asin(light.moon_direction.y),
+           height_km, aerosol, moon_lights, ids.transmittance, multiscatter);
+
+  shared::SkyData data{};
+  const double dip = glsl::horizon_dip_sine(light.camera_height * 1e-3);
+  const double full_moon = glm::dot(light.moon_source, glm::dvec3(0.2126, 0.7152, 0.0722)) /
+                           std::max(light.moon_phase, 1e-9);
+  data.sun_source = pack(sun_lights ? light.sun_source : glm::dvec3(0.0), light.sun_uncovered);
+  data.moon_source = pack(moon_lights ? light.moon_source : glm::dvec3(0.0),
+                          full_moon / (3.14159265 * light.moon_radius * light.moon_radius));
+  const glm::dvec2 to_sun = heading(light.sun_direction), to_moon = heading(light.moon_direction);
+  data.azimuths = glm::vec4(glm::dvec4(to_sun.x, to_sun.y, to_moon.x, to_moon.y));
+  data.night = pack(light.airglow, kEarthshine * (1.0 - light.moon_lit_fraction));
+  data.observer = glm::vec4(
+      glm::dvec4(light.camera_height * 1e-3, dip, std::sqrt(1.0 - dip * dip), light.star_share));
+  data.aerosol = glm::vec4(aerosol, static_cast<float>(kStarLux));
+  data.table_texels =
+      glm::vec4(static_cast<float>(sun_view_.width()), static_cast<float>(sun_view_.height()),
+                static_cast<float>(kTransmittanceWidth), static_cast<float>(kTransmittanceHeight));
+  data.world_from_equatorial = glm::mat4(glm::mat3(light.world_from_equatorial));
+  graph.add(
+      "sky.block",
+      [&](PassBuilder& pass) {
+        pass.write(ids.block, Access::kTransfer)
+            .cache(block_memory_, hash_bytes(&data, sizeof(data)));
+      },
+      [this, data](PassContext&) { block_.write(data); });
+  return ids;
+}
+
+void Sky::bind(const PassContext& context, const SkyIds& ids) const {
+  context.texture(ids.sun).bind(OFFING_UNIT_SKY_SUN);
+  context.texture(ids.moon).bind(OFFING_UNIT_SKY_MOON);
+  context.texture(ids.transmittance).bind(OFFING_UNIT_TRANSMITTANCE);
+  for (GLuint unit : {OFFING_UNIT_SKY_SUN, OFFING_UNIT_SKY_MOON, OFFING_UNIT_TRANSMITTANCE}) {
+    linear_.bind(unit);
+  }
+  context.buffer(ids.block).bind_uniform(OFFING_BIND_SKY);
+}
+
+void Sky::add_background(FrameGraph& graph, const SkyLight& light, const SkyIds& ids, TextureId hdr,
+                         TextureId depth, bool visible) {
+  const auto declare = [&](PassBuilder& pass) {
+    ids.read_by(pass);
+    pass.read(depth, Access::kAttachment).modify(hdr).render_to({hdr}, depth);
+  };
+  const auto far_pixels_only = [] {
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GEQUAL);
+    glDepthMask(GL_FALSE);
+  };
+  graph.add(
+      "sky.background",
+      [&](PassBuilder& pass) {
+        declare(pass);
+        pass.skip_if(!visible);
+      },
+      [this, ids, far_pixels_only](PassContext& context) {
+        far_pixels_only();
+        bind(context, ids);
+        background_program_.use();
+        no_vertices_.bind();
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glDepthMask(GL_TRUE);
+      });
+  graph.add(
+      "sky.stars",
+      [&](PassBuilder& pass) {
+        declare(pass);
+        pass.skip_if(!visible || light.star_share <= 0.0);
+      },
+      [this, ids, far_pixels_only](PassContext& context) {
+        far_pixels_only();
+        bind(context, ids);
+        stars_program_.use();
+        star_array_.bind();
+        glEnable(GL_PROGRAM_POINT_SIZE);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+        glDrawArrays(GL_POINTS, 0, star_count_);
+        glDisable(GL_BLEND);
+        glDepthMask(GL_TRUE);
+      });
+}
+
+bool sky_in_view(const glm::mat4& relative_from_clip, double camera_height) {
+  // The directions below the horizon fill a cone narrower than a half space, so a picture whose
+  // four corners lie in it lies in it whole.
+  const double dip = glsl::horizon_dip_sine(std::max(camera_height, 0.0) * 1e-3);
+  for (const glm::vec2 corner : {glm::vec2(-1, -1), {1, -1}, {-1, 1}, {1, 1}}) {
+    const glm::vec4 p = relative_from_clip * glm::vec4(corner, 1.0f, 1.0f);
+    const glm::vec3 d = glm::normalize(glm::vec3(p) / p.w);
+    if (d.y > -dip) return true;
+  }
+  return false;
+}
+
+}  // namespace offing

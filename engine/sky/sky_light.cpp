@@ -1,0 +1,333 @@
+#include "engine/sky/sky_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <vector>
+
+#include "engine/core/angles.h"
+
+#define OFFING_GLSL "shaders/lib/phase.glsl"
+#include "engine/core/glsl_double.h"
+#define OFFING_GLSL "shaders/lib/scattering.glsl"
+#include "engine/core/glsl_double.h"
+
+namespace offing {
+namespace {
+
+using glm::dvec3;
+
+constexpr double kSunLux = 133.1e3;    // above the air at 1 au
+constexpr double kFullMoonLux = 0.36;  // above the air at 384400 km
+constexpr double kMoonDistanceKm = 384400.0;
+constexpr double kTotality = 3.0e-5;  // of full sunlight
+/// Airglow, zodiacal light and faint stars at the zenith of a dark place: 21.7 mag per square
+/// second.
+constexpr double kNightLuminance = 2.4e-4;
+constexpr double kLowestLight = -20.0, kNodeStep = 0.5;  // degrees of elevation of a light
+constexpr int kNodes = static_cast<int>((90.0 - kLowestLight) / kNodeStep) + 4;
+
+double luminance(const dvec3& c) { return glm::dot(c, dvec3(0.2126, 0.7152, 0.0722)); }
+
+/// Of luminance 1: sunlight is the white of sRGB here, moonlight a little warmer for the dusty
+/// rock.
+const dvec3 kMoonColour = dvec3(1.06, 1.0, 0.86) / luminance(dvec3(1.06, 1.0, 0.86));
+const dvec3 kNightColour = dvec3(0.86, 1.02, 1.0) / luminance(dvec3(0.86, 1.02, 1.0));
+
+double smooth(double low, double high, double x) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// A small table read bilinearly between its ends.
+struct Table {
+  int width, height;
+  std::vector<dvec3> values;
+
+  dvec3& at(int x, int y) { return values[static_cast<std::size_t>(y * width + x)]; }
+  dvec3 read(glsl::vec2 unit) const {
+    const double x = unit.x * (width - 1), y = unit.y * (height - 1);
+    const int i = std::clamp(static_cast<int>(x), 0, width - 2);
+    const int j = std::clamp(static_cast<int>(y), 0, height - 2);
+    const auto value = [&](int a, int b) {
+      return values[static_cast<std::size_t>(b * width + a)];
+    };
+    const double u = x - i, v = y - j;
+    return (1 - v) * ((1 - u) * value(i, j) + u * value(i + 1, j)) +
+           v * ((1 - u) * value(i, j + 1) + u * value(i + 1, j + 1));
+  }
+};
+
+}  // namespace
+
+/// All that a state of the air (haze and the observer's height) decides.
+struct SkyLightModel::Air {
+  double haze, height_km;
+  glsl::Aerosol aerosol;
+  Table transmittance{64, 32, {}};
+  Table multiscatter{24, 12, {}};
+  dvec3 night_illuminance{0.0};
+  std::array<dvec3, kNodes>
+      sky_nodes;  ///< log illuminance for a light of 1 lux; NaN: not yet known
+
+  Air(double haze_now, double height);
+  dvec3 light(double height, double cosine) const;
+  dvec3 sky_of(double light_elevation_deg) const;
+  dvec3 sky_illuminance(double light_elevation_deg);
+  dvec3 direct(double elevation, double radius) const;
+};
+
+SkyLightModel::Air::Air(double haze_now, double height)
+    : haze(haze_now), height_km(height), aerosol(glsl::aerosol_of_haze(haze_now)) {
+  constexpr int kDepthSteps = 32;
+  transmittance.values.resize(static_cast<std::size_t>(transmittance.width * transmittance.height));
+  for (int j = 0; j < transmittance.height; ++j) {
+    for (int i = 0; i < transmittance.width; ++i) {
+      const glsl::HeightCosine place = glsl::transmittance_place(
+          {i / (transmittance.width - 1.0), j / (transmittance.height - 1.0)});
+      transmittance.at(i, j) =
+          glsl::transmittance_to_top(aerosol, place.height, place.cosine, kDepthSteps);
+    }
+  }
+
+  // As shaders/sky/multiscatter.comp, with fewer directions.
+  constexpr int kCosines = 6, kAzimuths = 6, kSteps = 16;
+  multiscatter.values.resize(static_cast<std::size_t>(multiscatter.width * multiscatter.height));
+  for (int j = 0; j < multiscatter.height; ++j) {
+    for (int i = 0; i < multiscatter.width; ++i) {
+      const glsl::HeightCosine place = glsl::multiscatter_place(
+          {i / (multiscatter.width - 1.0), j / (multiscatter.height - 1.0)});
+      const double light_sine = std::sqrt(1.0 - place.cosine * place.cosine);
+      dvec3 second(0.0), passed(0.0);
+      for (int direction = 0; direction < kCosines * kAzimuths; ++direction) {
+        const double cosine = 1.0 - 2.0 * (direction / kAzimuths + 0.5) / kCosines;
+        const double azimuth = kPi * (direction % kAzimuths + 0.5) / kAzimuths;
+        const double towards = cosine * place.cosine +
+                               std::sqrt(1.0 - cosine * cosine) * light_sine * std::cos(azimuth);
+        const double sea = glsl::distance_to_sea(place.height, cosine);
+        const double along = sea >= 0.0 ? sea : glsl::distance_to_top(place.height, cosine);
+        dvec3 through(1.0);
+        for (int s = 0; s < kSteps; ++s) {
+          const double x0 = s / double{kSteps}, x1 = (s + 1) / double{kSteps};
+          const double d = along * 0.25 * (x0 + x1) * (x0 + x1);
+          const double h = std::max(glsl::height_along(place.height, cosine, d), 0.0);
+          const double c = glsl::cosine_along(place.height, place.cosine, towards, d, h);
+          const glsl::Air air = glsl::air_at(aerosol, h);
+          const dvec3 kept = glm::exp(-air.extinction * (along * (x1 * x1 - x0 * x0)));
+          const dvec3 scattered =
+              through * (air.rayleigh + air.mie) * (1.0 - kept) / air.extinction;
+          second += scattered * light(h, c) / (4.0 * kPi);
+          passed += scattered;
+          through *= kept;
+        }
+        if (sea >= 0.0) {
+          const double c = glsl::cosine_along(place.height, place.cosine, towards, along, 0.0);
+          second += through * light(0.0, c) * std::max(c, 0.0) * (glsl::kSeaAlbedo / kPi);
+        }
+      }
+      constexpr double kDirections = kCosines * kAzimuths;
+      multiscatter.at(i, j) = second / kDirections / (1.0 - passed / kDirections);
+    }
+  }
+
+  constexpr int kRings = 32;
+  for (int i = 0; i < kRings; ++i) {
+    const double cosine = (i + 0.5) / kRings;
+    const double glow = luminance(transmittance.read(glsl::transmittance_units(height_km, cosine)));
+    night_illuminance +=
+        kNightLuminance * kNightColour * (glow * glsl::van_rhijn(cosine) * kTau * cosine / kRings);
+  }
+  sky_nodes.fill(dvec3(std::numeric_limits<double>::quiet_NaN()));
+}
+
+dvec3 SkyLightModel::Air::light(double height, double cosine) const {
+  constexpr double kRadius = 0.00465;
+  const double lowest = -glsl::horizon_dip_sine(height);
+  const double share = glsl::soft_share_above_horizon(height, cosine, kRadius);
+  if (share <= 0.0) return dvec3(0.0);
+  return share * transmittance.read(glsl::transmittance_units(height, std::max(cosine, lowest)));
+}
+
+/// Illuminance of a level surface by the sky, for a light of 1 lux above the air.
+dvec3 SkyLightModel::Air::sky_of(double light_elevation_deg) const {
+  constexpr int kCosines = 12, kAzimuths = 8, kSteps = 24;
+  const double light_cosine = std::sin(radians(light_elevation_deg));
+  const double light_sine = std::sqrt(1.0 - light_cosine * light_cosine);
+  dvec3 sum(0.0);
+  for (int i = 0; i < kCosines; ++i) {
+    // Stratified in the square of the cosine: each ring weighs the same.
+    const double cosine = std::sqrt((i + 0.5) / kCosines);
+    const double along = glsl::distance_to_top(height_km, cosine);
+    for (int j = 0; j < kAzimuths; ++j) {
+      const double azimuth = kPi * (j + 0.5) / kAzimuths;
+      const double towards =
+          cosine * light_cosine + std::sqrt(1.0 - cosine * cosine) * light_sine * std::cos(azimuth);
+      const double rayleigh = glsl::rayleigh_phase(towards);
+      const double mie = glsl::cornette_shanks(glsl::kMieG, towards);
+      dvec3 through(1.0);
+      for (int s = 0; s < kSteps; ++s) {
+        const double x0 = s / double{kSteps}, x1 = (s + 1) / double{kSteps};
+        const double d = along * 0.25 * (x0 + x1) * (x0 + x1);
+        const double h = std::max(glsl::height_along(height_km, cosine, d), 0.0);
+        const double c = glsl::cosine_along(height_km, light_cosine, towards, d, h);
+        const glsl::Air air = glsl::air_at(aerosol, h);
+        const dvec3 source =
+            light(h, c) * (air.rayleigh * rayleigh + air.mie * mie) +
+            multiscatter.read(glsl::multiscatter_units(h, c)) * (air.rayleigh + air.mie);
+        const dvec3 kept = glm::exp(-air.extinction * (along * (x1 * x1 - x0 * x0)));
+        sum += through * source * (1.0 - kept) / air.extinction;
+        through *= kept;
+      }
+    }
+  }
+  return sum * (kPi / (kCosines * kAzimuths));
+}
+
+/// The same, interpolated in the logarithm: twilight falls by decades.
+dvec3 SkyLightModel::Air::sky_illuminance(double light_elevation_deg) {
+  if (light_elevation_deg <= kLowestLight) return dvec3(0.0);
+  const double x = (light_elevation_deg - kLowestLight) / kNodeStep;
+  const int first = std::clamp(static_cast<int>(x), 0, kNodes - 4);
+  const double t = x - first;
+  dvec3 p[4];
+  for (int i = 0; i < 4; ++i) {
+    dvec3& node = sky_nodes[static_cast<std::size_t>(first + i)];
+    if (std::isnan(node.x)) {
+      const double elevation = kLowestLight + kNodeStep * (first + i - 1);
+      node = glm::log(glm::max(sky_of(elevation), dvec3(1e-30)));
+    }
+    p[i] = node;
+  }
+  const dvec3 value = p[1] + 0.5 * t *
+                                 (p[2] - p[0] +
+                                  t * (2.0 * p[0] - 5.0 * p[1] + 4.0 * p[2] - p[3] +
+                                       t * (3.0 * (p[1] - p[2]) + p[3] - p[0])));
+  return glm::exp(value) * smooth(kLowestLight, kLowestLight + 1.0, light_elevation_deg);
+}
+
+/// What a disc of 1 lux above the air gives a surface that faces it: the mean over the part of it
+/// that stands above the horizon, times that part.
+dvec3 SkyLightModel::Air::direct(double elevation, double radius) const {
+  constexpr int kSteps = 40, kStrips = 8;
+  const double dip = std::asin(glsl::horizon_dip_sine(height_km));
+  if (elevation > radians(5.0)) {
+    return glsl::transmittance_to_top(aerosol, height_km, std::sin(elevation), kSteps);
+  }
+  const double low = std::max(-1.0, -(elevation + dip) / radius);
+  if (low >= 1.0) return dvec3(0.0);
+  // Strips of the disc, level with the horizon, from its lowest visible one to its top. x = sin(a)
+  // makes the chords smooth at both ends.
+  const double first = std::asin(low), range = kPi / 2.0 - first;
+  dvec3 sum(0.0);
+  for (int i = 0; i < kStrips; ++i) {
+    const double a = first + range * (i + 0.5) / kStrips;
+    const double chord = std::cos(a) * std::cos(a) * range / kStrips;
+    const double e = elevation + radius * std::sin(a);
+    sum += glsl::transmittance_to_top(aerosol, height_km, std::sin(e), kSteps) * chord;
+  }
+  return sum * (2.0 / kPi);
+}
+
+SkyLightModel::SkyLightModel() = default;
+SkyLightModel::~SkyLightModel() = default;
+SkyLightModel::SkyLightModel(SkyLightModel&&) noexcept = default;
+SkyLightModel& SkyLightModel::operator=(SkyLightModel&&) noexcept = default;
+
+const SkyLight& SkyLightModel::update(const CelestialState& celestial, double haze,
+                                      double camera_height, double exposure_ev) {
+  // From the sea to a mast's top the air is the same; only far above does it matter.
+  const double height_km = std::round(std::clamp(camera_height, 0.0, 20000.0) / 50.0) * 0.05;
+  if (!air_ || air_->haze != haze || air_->height_km != height_km) {
+    air_ = std::make_unique<Air>(haze, height_km);
+  }
+  SkyLight& l = light_;
+  l.haze = haze;
+  l.camera_height = std::clamp(camera_height, 0.0, 20000.0);
+  l.sun_direction = celestial.sun.direction();
+  l.moon_direction = celestial.moon.direction();
+  l.sun_radius = radians(celestial.sun.radius_deg);
+  l.moon_radius = radians(celestial.moon.radius_deg);
+  l.world_from_equatorial = celestial.world_from_equatorial;
+
+  const double separation = std::atan2(glm::length(glm::cross(l.sun_direction, l.moon_direction)),
+                                       glm::dot(l.sun_direction, l.moon_direction));
+  l.sun_uncovered = uncovered_sun(separation, l.sun_radius, l.moon_radius);
+  l.sun_source =
+      dvec3(kSunLux * l.sun_uncovered / (celestial.sun_distance_au * celestial.sun_distance_au));
+  const double nearer = kMoonDistanceKm / celestial.moon_distance_km;
+  l.moon_phase = glsl::moon_phase_brightness(celestial.moon_phase_angle_deg);
+  l.moon_lit_fraction = celestial.moon_lit_fraction;
+  l.moon_source = kFullMoonLux * l.moon_phase * nearer * nearer * kMoonColour;
+
+  const double height = l.camera_height * 1e-3;
+  const auto share = [&](const SkyPosition& body, double radius) {
+    return glsl::share_above_horizon(height, std::sin(radians(body.elevation_deg)), radius);
+  };
+  l.sun_share = share(celestial.sun, l.sun_radius);
+  l.moon_share = share(celestial.moon, l.moon_radius);
+  l.sun_illuminance =
+      l.sun_source * air_->direct(radians(celestial.sun.elevation_deg), l.sun_radius);
+  l.moon_illuminance =
+      l.moon_source * air_->direct(radians(celestial.moon.elevation_deg), l.moon_radius);
+  l.airglow = kNightLuminance * kNightColour;
+  l.sky_illuminance = l.sun_source * air_->sky_illuminance(celestial.sun.elevation_deg) +
+                      l.moon_source * air_->sky_illuminance(celestial.moon.elevation_deg) +
+                      air_->night_illuminance;
+  l.extinction = glsl::air_at(air_->aerosol, 0.0).extinction * 1e-3;
+  l.star_share = 1.0 - smooth(-5.0, -3.0, celestial.sun.elevation_deg);
+
+  // The eye looks at the sea and the sky about it, not at the sun: a tenth of what the discs give.
+  const double direct = luminance(l.sun_illuminance) * std::max(l.sun_direction.y, 0.0) +
+                        luminance(l.moon_illuminance) * std::max(l.moon_direction.y, 0.0);
+  const double level = (luminance(l.sky_illuminance) + 0.1 * direct) / kPi;
+  l.exposure = eye_exposure(level) * std::exp2(exposure_ev);
+  return l;
+}
+
+double SkyLight::level_illuminance() const {
+  return luminance(sky_illuminance) + luminance(sun_illuminance) * std::max(sun_direction.y, 0.0) +
+         luminance(moon_illuminance) * std::max(moon_direction.y, 0.0);
+}
+
+void SkyLight::fill(shared::FrameData& frame) const {
+  const auto pack = [](const dvec3& v, double w) {
+    return glm::vec4(glm::vec3(v), static_cast<float>(w));
+  };
+  frame.sun_direction = pack(sun_direction, std::cos(sun_radius));
+  frame.sun_illuminance = pack(sun_illuminance, sun_share);
+  frame.moon_direction = pack(moon_direction, std::cos(moon_radius));
+  frame.moon_illuminance = pack(moon_illuminance, moon_share);
+  frame.sky_illuminance = pack(sky_illuminance, 0.0);
+  frame.haze = pack(extinction, 0.0);
+  frame.time.z = static_cast<float>(exposure);
+}
+
+double uncovered_sun(double separation, double sun_radius, double moon_radius) {
+  if (separation >= sun_radius + moon_radius) return 1.0;
+  constexpr int kRings = 64;
+  double seen = 0.0, all = 0.0;
+  for (int i = 0; i < kRings; ++i) {
+    const double x = (i + 0.5) / kRings;
+    const double ring = x * sun_radius;
+    // The half angle of the ring's arc that lies within the moon (law of cosines).
+    const double cosine = (ring * ring + separation * separation - moon_radius * moon_radius) /
+                          std::max(2.0 * ring * separation, 1e-30);
+    const double covered = std::acos(std::clamp(cosine, -1.0, 1.0)) / kPi;
+    const double light = x * glsl::limb_darkening(x).y;
+    seen += light * (1.0 - covered);
+    all += light;
+  }
+  return kTotality + (1.0 - kTotality) * seen / all;
+}
+
+double eye_exposure(double level_luminance) {
+  constexpr double kDayLuminance = 6000.0;  // cd/m^2, where the picture is brightest
+  constexpr double kDayKey = 0.24;          // the picture's value of it
+  constexpr double kDimming = 0.13;         // how much of each decade the eye does not make good
+  const double level = std::max(level_luminance, 1e-6);
+  return kDayKey * std::pow(level / kDayLuminance, kDimming) / level;
+}
+
+}  // namespace offing

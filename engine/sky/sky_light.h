@@ -1,0 +1,73 @@
+#pragma once
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "engine/environment/ephemeris.h"
+#include "shaders/shared/frame.h"
+
+namespace offing {
+
+/// Where the light comes from and how much there is: what the CPU knows of the sky. Illuminance in
+/// lux as linear sRGB, directions in the world's axes, refracted.
+struct SkyLight {
+  glm::dvec3 sun_direction{0.0, 1.0, 0.0}, moon_direction{0.0, -1.0, 0.0};
+  double sun_radius = 0.00465, moon_radius = 0.0045;  ///< radians
+  /// Above the air, on a surface facing it: the sun as far as no moon covers it, the moon by phase.
+  glm::dvec3 sun_source{0.0}, moon_source{0.0};
+  double sun_uncovered = 1.0;  ///< share of the sun's light that the moon leaves
+  double moon_phase = 1.0;     ///< moonlight over that of the full moon
+  double moon_lit_fraction = 1.0;
+  /// At the camera, through the air and as far as the disc stands above the horizon.
+  glm::dvec3 sun_illuminance{0.0}, moon_illuminance{0.0};
+  double sun_share = 1.0, moon_share = 0.0;  ///< of the disc above the horizon
+  glm::dvec3 sky_illuminance{0.0};  ///< of a level surface, without the discs, airglow included
+  glm::dvec3 airglow{0.0};          ///< radiance at the zenith above the air, cd/m^2
+  glm::dvec3 extinction{0.0};       ///< of the air at sea level, 1/m
+  double haze = 0.0;
+  double camera_height = 2.0;  ///< m
+  double star_share = 0.0;     ///< 0 by day, 1 by night
+  double exposure = 1.0;       ///< picture value of 1 cd/m^2, as an eye at home here would have it
+  glm::dmat3 world_from_equatorial{1.0};
+
+  /// Total on a level surface, lux.
+  double level_illuminance() const;
+  /// Writes all that FrameData says of light: directions, illuminance, haze and exposure.
+  void fill(shared::FrameData& frame) const;
+};
+
+/// Computes SkyLight in double by integration with the formulas of shaders/lib/scattering.glsl.
+/// What depends on the air only is kept, and what depends on a light's elevation is tabulated as it
+/// is asked for, every half degree.
+class SkyLightModel {
+ public:
+  SkyLightModel();
+  ~SkyLightModel();
+  SkyLightModel(SkyLightModel&&) noexcept;
+  SkyLightModel& operator=(SkyLightModel&&) noexcept;
+
+  /// `haze` 0 to 1, `camera_height` in metres above the sea (0 to 20 km), `exposure_ev` in stops
+  /// brighter than the eye would have it. The reference holds until the next call. Some 10 µs where
+  /// the clock runs, some 30 ms where haze has changed.
+  const SkyLight& update(const CelestialState& celestial, double haze, double camera_height,
+                         double exposure_ev = 0.0);
+
+ private:
+  struct Air;
+  std::unique_ptr<Air> air_;
+  SkyLight light_;
+};
+
+/// Share of the limb-darkened sun's light that is left where the moon's centre stands `separation`
+/// from the sun's (all radians). In totality a few hundred-thousandths remain: the corona, and the
+/// lit air outside the shadow.
+double uncovered_sun(double separation, double sun_radius, double moon_radius);
+
+/// What an eye that is used to `level_luminance` (cd/m^2) makes of 1 cd/m^2: full day is bright, a
+/// moonlit night dim, a moonless one darker still, with no step in between.
+double eye_exposure(double level_luminance);
+
+}  // namespace offing

@@ -1,0 +1,29 @@
+#include "game/export/export.h"
+
+#include <fmt/core.h>
+
+#include <map>
+
+#include "engine/core/error.h"
+#include "game/export/exports.h"
+
+namespace offing {
+
+void run_export(const Options& options) {
+  static const std::map<std::string, void (*)(const Scene&, const Options&)> kExports = {
+      {"boat", export_boat},   {"ephemeris", export_ephemeris}, {"heights", export_heights},
+      {"ocean", export_ocean}, {"polar", export_polar},
+  };
+  const auto found = kExports.find(options.what);
+  if (found == kExports.end()) {
+    std::string names;
+    for (const auto& [name, function] : kExports) names += (names.empty() ? "" : ", ") + name;
+    throw InputError(fmt::format("export {}: no such data; there are {}", options.what, names));
+  }
+  Scene scene = make_scene(options.scene, options.sets);
+  if (options.seed) scene.seed = *options.seed;
+  if (options.time) scene.environment.set_elapsed(*options.time);
+  found->second(scene, options);
+}
+
+}  // namespace offing

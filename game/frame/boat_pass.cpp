@@ -1,0 +1,399 @@
+#include "game/frame/boat_pass.h"
+
+#include <epoxy/gl.h>
+#include <fmt/core.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "engine/core/error.h"
+
+namespace offing {
+namespace {
+
+struct RigidVertex {
+  glm::vec3 position, normal;
+  glm::vec2 uv;
+  glm::vec2 ids;  ///< node, material
+};
+
+struct ClothVertex {
+  glm::vec3 position;
+  glm::vec2 uv;
+  glm::vec4 tangents;  ///< d(y, z)/du, d(y, z)/dv
+};
+
+// cd/m^2 of a lamp of one to two candela behind a lens as large as the model's.
+constexpr float kLampLuminance = 900.0f;
+// All of her: masthead, bulb and boom end, boat frame.
+constexpr glm::vec3 kMiddle{0.0f, 4.9f, 0.0f};
+constexpr float kRadius = 7.8f;
+
+const glm::vec3 kUp{0.0f, 1.0f, 0.0f};
+
+// One channel for each side of the cloth; a grey picture is the same from both.
+gl::Texture cloth_texture(const char* label, const Image& image, float otherwise) {
+  const bool empty = image.pixels.empty();
+  const int width = empty ? 1 : image.width, height = empty ? 1 : image.height;
+  gl::Texture texture(label, {.format = GL_RG8,
+                              .width = width,
+                              .height = height,
+                              .levels = gl::full_mip_levels(width, height)});
+  std::vector<float> rows;
+  if (empty) rows = {otherwise, otherwise};
+  const auto channels = static_cast<std::size_t>(image.channels);
+  const auto stride = static_cast<std::size_t>(image.width) * channels;
+  for (int y = image.height - 1; y >= 0; --y) {  // bottom row first: v grows toward the head
+    for (std::size_t x = 0; x < stride; x += channels) {
+      const float* pixel = &image.pixels[static_cast<std::size_t>(y) * stride + x];
+      rows.insert(rows.end(), {pixel[0], pixel[channels >= 3 ? 1 : 0]});
+    }
+  }
+  texture.upload(GL_RG, GL_FLOAT, rows.data());
+  texture.generate_mipmaps();
+  return texture;
+}
+
+gl::Texture colour_texture(const Image& image) {
+  gl::Texture texture("boat.base_colour",
+                      {.format = GL_SRGB8_ALPHA8,
+                       .width = image.width,
+                       .height = image.height,
+                       .levels = gl::full_mip_levels(image.width, image.height)});
+  std::vector<float> rgba;
+  for (std::size_t i = 0; i < image.pixels.size(); i += static_cast<std::size_t>(image.channels)) {
+    const int last = image.channels >= 3 ? 2 : 0;
+    rgba.insert(rgba.end(), {image.pixels[i], image.pixels[i + static_cast<std::size_t>(last) / 2],
+                             image.pixels[i + static_cast<std::size_t>(last)], 1.0f});
+  }
+  texture.upload(GL_RGBA, GL_FLOAT, rgba.data());
+  texture.generate_mipmaps();
+  return texture;
+}
+
+glm::mat4 turn(float angle) { return glm::rotate(glm::mat4(1.0f), angle, kUp); }
+
+int need(const Model& model, std::string_view name) {
+  const int node = model.find(name);
+  if (node < 0) throw InputError(fmt::format("boat model: node '{}' is missing", name));
+  return node;
+}
+
+}  // namespace
+
+bool sphere_in_view(const glm::mat4& clip_from_relative, const glm::vec3& centre, float radius) {
+  // Gribb & Hartmann 2001: the planes are sums of the projection's rows. Reversed depth without a
+  // far plane: only the four sides and the near plane (z <= w) bound it.
+  const glm::mat4 rows = glm::transpose(clip_from_relative);
+  const std::array<glm::vec4, 5> planes = {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
+                                           rows[3] - rows[1], rows[3] - rows[2]};
+  return std::ranges::all_of(planes, [&](const glm::vec4& plane) {
+    const glm::vec3 normal(plane);
+    return glm::dot(normal, centre) + plane.w >= -radius * glm::length(normal);
+  });
+}
+
+BoatTextures load_boat_textures(const std::filesystem::path& folder) {
+  return {.main_alpha = read_image(folder / "main_alpha.png"),
+          .main_pattern = read_image(folder / "main_pattern.png"),
+          .jib_alpha = {},
+          .jib_pattern = read_image(folder / "jib_pattern.png"),
+          .flag_alpha = read_image(folder / "flag_alpha.png"),
+          .flag_pattern = read_image(folder / "flag_pattern.png")};
+}
+
+BoatPass::BoatPass(ShaderLibrary& shaders, const Model& model, const BoatTextures& textures)
+    : cloth_program_(shaders.program({"boat/cloth.vert", "boat/cloth.frag"})),
+      mask_program_(shaders.program({"boat/mask.vert", "boat/mask.frag"})),
+      boat_block_("boat.block", sizeof(shared::BoatData)),
+      repeat_("boat.repeat", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
+      clamp_("boat.clamp", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE) {
+  if (model.nodes.size() > shared::kBoatNodes || model.materials.size() > shared::kBoatMaterials) {
+    throw InputError(fmt::format("boat model: {} nodes and {} materials: at most {} and {}",
+                                 model.nodes.size(), model.materials.size(), shared::kBoatNodes,
+                                 shared::kBoatMaterials));
+  }
+  for (const ModelNode& node : model.nodes) nodes_.push_back({node.parent, node.parent_from_node});
+  boom_ = need(model, "boom");
+  rudder_ = need(model, "rudder");
+  cloth_[kMainsail].node = need(model, "mainsail");
+  cloth_[kJib].node = need(model, "jib");
+  cloth_[kFlag].node = need(model, "flag");
+  for (std::size_t i = 0; i < model.materials.size(); ++i) {
+    const ModelMaterial& from = model.materials[i];
+    materials_[i].base_colour = {from.base_colour.x, from.base_colour.y, from.base_colour.z,
+                                 from.metallic};
+    // A lobe narrower than this is only noise without supersampling.
+    materials_[i].emission = {from.emissive.x, from.emissive.y, from.emissive.z,
+                              std::max(from.roughness * from.roughness, 0.02f)};
+  }
+  for (const Image& image : model.images) pictures_.push_back(colour_texture(image));
+  build_rigid(shaders, model);
+  build_cloth(model, textures);
+  for (std::size_t i = 0; i < cloth_blocks_.size(); ++i) {
+    cloth_blocks_[i] = gl::Buffer("boat.cloth_block", sizeof(shared::ClothParameters));
+  }
+}
+
+void BoatPass::build_rigid(ShaderLibrary& shaders, const Model& model) {
+  std::vector<RigidVertex> vertices;
+  std::vector<std::uint32_t> indices;
+  const int mask = model.find("mask");
+  const auto is_cloth = [&](int node) {
+    return std::ranges::any_of(cloth_, [&](const Cloth& cloth) { return cloth.node == node; });
+  };
+  const auto append = [&](int node, const ModelPrimitive& primitive) {
+    std::unordered_map<std::uint32_t, std::uint32_t> placed;
+    for (std::uint32_t i = 0; i < primitive.index_count; ++i) {
+      const std::uint32_t index = model.indices[primitive.first_index + i];
+      const auto [found, is_new] =
+          placed.try_emplace(index, static_cast<std::uint32_t>(vertices.size()));
+      if (is_new) {
+        const ModelVertex& from = model.vertices[index];
+        vertices.push_back({from.position, from.normal, from.uv, {node, primitive.material}});
+      }
+      indices.push_back(found->second);
+    }
+  };
+  // One draw for each program and picture: all plain parts, each picture, the wires last, since
+  // they blend with what lies behind them.
+  const auto gather = [&](const ShaderProgram& program, int picture, bool wire) {
+    const auto first = static_cast<std::uint32_t>(indices.size());
+    for (int node = 0; node < static_cast<int>(model.nodes.size()); ++node) {
+      if (node == mask || is_cloth(node)) continue;
+      for (const ModelPrimitive& primitive :
+           model.nodes[static_cast<std::size_t>(node)].primitives) {
+        const ModelMaterial& material =
+            model.materials[static_cast<std::size_t>(primitive.material)];
+        const bool is_wire = material.name == "wire";
+        if (is_wire == wire && (wire || material.base_colour_image == picture))
+          append(node, primitive);
+      }
+    }
+    const auto count = static_cast<std::uint32_t>(indices.size()) - first;
+    if (count > 0) draws_.push_back({&program, first, count, picture, wire});
+  };
+  const std::vector<std::filesystem::path> stages = {"boat/rigid.vert", "boat/rigid.frag"};
+  gather(shaders.program(stages), -1, false);
+  for (int picture = 0; picture < static_cast<int>(pictures_.size()); ++picture) {
+    gather(shaders.program(stages, {{"PICTURE", "1"}}), picture, false);
+  }
+  gather(shaders.program(stages, {{"WIRE", "1"}}), -1, true);
+  mask_first_ = static_cast<std::uint32_t>(indices.size());
+  if (mask >= 0) {
+    for (const ModelPrimitive& primitive : model.nodes[static_cast<std::size_t>(mask)].primitives) {
+      append(mask, primitive);
+    }
+  }
+  mask_count_ = static_cast<std::uint32_t>(indices.size()) - mask_first_;
+
+  vertices_ = gl::Buffer::of<RigidVertex>("boat.vertices", vertices);
+  indices_ = gl::Buffer::of<std::uint32_t>("boat.indices", indices);
+  rigid_layout_ = gl::VertexArray("boat.rigid");
+  constexpr int kStride = sizeof(RigidVertex);
+  rigid_layout_.attribute(0, 3, vertices_.id(), kStride, offsetof(RigidVertex, position));
+  rigid_layout_.attribute(1, 3, vertices_.id(), kStride, offsetof(RigidVertex, normal));
+  rigid_layout_.attribute(2, 2, vertices_.id(), kStride, offsetof(RigidVertex, uv));
+  rigid_layout_.attribute(3, 2, vertices_.id(), kStride, offsetof(RigidVertex, ids));
+  rigid_layout_.index_buffer(indices_.id());
+}
+
+void BoatPass::build_cloth(const Model& model, const BoatTextures& textures) {
+  std::vector<ClothVertex> vertices;
+  std::vector<std::uint32_t> indices;
+  for (Cloth& cloth : cloth_) {
+    cloth.first = static_cast<std::uint32_t>(indices.size());
+    const auto base = vertices.size();
+    std::unordered_map<std::uint32_t, std::uint32_t> placed;
+    for (const ModelPrimitive& primitive :
+         model.nodes[static_cast<std::size_t>(cloth.node)].primitives) {
+      for (std::uint32_t i = 0; i < primitive.index_count; ++i) {
+        const std::uint32_t index = model.indices[primitive.first_index + i];
+        const auto [found, is_new] =
+            placed.try_emplace(index, static_cast<std::uint32_t>(vertices.size()));
+        if (is_new) {
+          const ModelVertex& from = model.vertices[index];
+          vertices.push_back({from.position, from.uv, glm::vec4(0.0f)});
+        }
+        indices.push_back(found->second);
+      }
+    }
+    cloth.count = static_cast<std::uint32_t>(indices.size()) - cloth.first;
+    // The cloth's derivatives along u and v: the mean over the triangles about a vertex, each of
+    // which solves its two edges for them.
+    std::vector<float> shares(vertices.size() - base, 0.0f);
+    for (std::uint32_t i = cloth.first; i + 2 < indices.size(); i += 3) {
+      const ClothVertex& a = vertices[indices[i]];
+      const glm::vec2 s = vertices[indices[i + 1]].uv - a.uv,
+                      t = vertices[indices[i + 2]].uv - a.uv;
+      const glm::vec3 p = vertices[indices[i + 1]].position - a.position,
+                      q = vertices[indices[i + 2]].position - a.position;
+      const float area = s.x * t.y - s.y * t.x;
+      if (std::abs(area) < 1e-12f) continue;
+      const glm::vec3 du = (p * t.y - q * s.y) / area, dv = (q * s.x - p * t.x) / area;
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        vertices[indices[i + k]].tangents += glm::vec4(du.y, du.z, dv.y, dv.z);
+        shares[indices[i + k] - base] += 1.0f;
+      }
+    }
+    for (std::size_t i = base; i < vertices.size(); ++i) {
+      ClothVertex& vertex = vertices[i];
+      vertex.tangents /= std::max(shares[i - base], 1.0f);
+      cloth.hoist = std::max(cloth.hoist, vertex.position.y);
+      cloth.foot = std::max(cloth.foot, vertex.position.z);
+      if (vertex.uv.y > 0.999f) cloth.head = std::max(cloth.head, vertex.position.z);
+      if (vertex.uv.x > 0.999f && vertex.uv.y < 0.001f)
+        cloth.rise = vertex.position.y / vertex.position.z;
+    }
+  }
+  cloth_[kMainsail].alpha = cloth_texture("boat.main_alpha", textures.main_alpha, 1.0f);
+  cloth_[kMainsail].pattern = cloth_texture("boat.main_pattern", textures.main_pattern, 0.0f);
+  cloth_[kJib].alpha = cloth_texture("boat.jib_alpha", textures.jib_alpha, 1.0f);
+  cloth_[kJib].pattern = cloth_texture("boat.jib_pattern", textures.jib_pattern, 0.0f);
+  cloth_[kFlag].alpha = cloth_texture("boat.flag_alpha", textures.flag_alpha, 1.0f);
+  cloth_[kFlag].pattern = cloth_texture("boat.flag_pattern", textures.flag_pattern, 0.0f);
+
+  cloth_vertices_ = gl::Buffer::of<ClothVertex>("boat.cloth_vertices", vertices);
+  cloth_indices_ = gl::Buffer::of<std::uint32_t>("boat.cloth_indices", indices);
+  cloth_layout_ = gl::VertexArray("boat.cloth");
+  constexpr int kStride = sizeof(ClothVertex);
+  cloth_layout_.attribute(0, 3, cloth_vertices_.id(), kStride, offsetof(ClothVertex, position));
+  cloth_layout_.attribute(1, 2, cloth_vertices_.id(), kStride, offsetof(ClothVertex, uv));
+  cloth_layout_.attribute(2, 4, cloth_vertices_.id(), kStride, offsetof(ClothVertex, tangents));
+  cloth_layout_.index_buffer(cloth_indices_.id());
+}
+
+BoatPass::Frame BoatPass::pose(const BoatView& view, const shared::FrameData& frame) const {
+  Frame out{};
+  out.hoisted = view.hoisted;
+  shared::BoatData& boat = out.boat;
+  boat.relative_from_boat =
+      glm::translate(glm::mat4(1.0f), view.position) * glm::mat4_cast(view.orientation);
+  const FlagPose flag_now = flag_pose(view.apparent_wind, glm::inverse(view.orientation) * -kUp);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const int node = static_cast<int>(i);
+    glm::mat4 own(1.0f);
+    if (node == boom_) own = turn(view.main.angle);
+    if (node == rudder_) own = turn(view.rudder);
+    if (node == cloth_[kMainsail].node) own = glm::scale(own, glm::vec3(view.reef));
+    if (node == cloth_[kJib].node) own = glm::scale(turn(view.jib.angle), glm::vec3(view.reef));
+    if (node == cloth_[kFlag].node) own = turn(flag_now.yaw);
+    const glm::mat4 parent_from_node = nodes_[i].parent_from_node * own;
+    boat.boat_from_node[i] = nodes_[i].parent < 0
+                                 ? parent_from_node
+                                 : boat.boat_from_node[nodes_[i].parent] * parent_from_node;
+  }
+  for (std::size_t i = 0; i < materials_.size(); ++i) {
+    boat.materials[i] = materials_[i];
+    const glm::vec3 emission =
+        glm::vec3(materials_[i].emission) * view.navigation_lights * kLampLuminance;
+    boat.materials[i].emission = glm::vec4(emission, materials_[i].emission.w);
+  }
+  for (const Sails index : {kMainsail, kJib}) {
+    const Cloth& cloth = cloth_[index];
+    const glm::mat4& from_node = boat.boat_from_node[cloth.node];
+    const glm::vec3 luff = glm::normalize(glm::vec3(from_node[1]));
+    const glm::vec3 chord = glm::normalize(glm::vec3(from_node[2]));
+    boat.sails[index] = {
+        .origin = glm::vec4(glm::vec3(from_node[3]), view.hoisted ? cloth.hoist * view.reef : 0.0f),
+        .luff = glm::vec4(luff, cloth.foot * view.reef),
+        .chord = glm::vec4(chord, cloth.head * view.reef),
+        .normal = glm::vec4(glm::cross(luff, chord), cloth.rise)};
+  }
+  const double time = frame.time.x;
+  out.cloth = {sail_cloth(mainsail, view.main, time, cloth_[kMainsail].node, kMainsail),
+               sail_cloth(jib, view.jib, time, cloth_[kJib].node, kJib),
+               flag_cloth(flag, flag_now, time, cloth_[kFlag].node)};
+  return out;
+}
+
+void BoatPass::draw(const Frame& frame) const {
+  boat_block_.write(frame.boat);
+  boat_block_.bind_uniform(1);
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_GREATER);
+  glDepthMask(GL_TRUE);
+  const auto elements = [](std::uint32_t first, std::uint32_t count) {
+    glDrawElements(
+        GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+        reinterpret_cast<const void*>(static_cast<std::uintptr_t>(first) * sizeof(std::uint32_t)));
+  };
+
+  clamp_.bind(0);
+  clamp_.bind(1);
+  cloth_layout_.bind();
+  cloth_program_.use();
+  for (std::size_t i = 0; i < cloth_.size(); ++i) {
+    if (i != kFlag && !frame.hoisted) continue;
+    cloth_blocks_[i].write(frame.cloth[i]);
+    cloth_blocks_[i].bind_uniform(2);
+    cloth_[i].alpha.bind(0);
+    cloth_[i].pattern.bind(1);
+    elements(cloth_[i].first, cloth_[i].count);
+  }
+
+  repeat_.bind(0);
+  rigid_layout_.bind();
+  for (const Draw& item : draws_) {
+    item.program->use();
+    if (item.picture >= 0) pictures_[static_cast<std::size_t>(item.picture)].bind(0);
+    if (item.wire) {
+      glDisable(GL_CULL_FACE);
+      glEnable(GL_BLEND);
+      glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    } else {
+      glEnable(GL_CULL_FACE);
+    }
+    elements(item.first, item.count);
+  }
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_DEPTH_TEST);
+  glBindSampler(0, 0);
+  glBindSampler(1, 0);
+}
+
+void BoatPass::add(FrameGraph& graph, const BoatView& view, const shared::FrameData& frame,
+                   TextureId hdr, TextureId depth) const {
+  const glm::vec3 middle = view.position + view.orientation * kMiddle;
+  const bool visible = sphere_in_view(frame.clip_from_relative, middle, kRadius);
+  graph.add(
+      "boat",
+      [&](PassBuilder& pass) {
+        pass.modify(hdr).modify(depth).render_to({hdr}, depth).skip_if(!visible);
+      },
+      [this, posed = pose(view, frame)](PassContext&) { draw(posed); });
+}
+
+TextureId BoatPass::add_mask(FrameGraph& graph, const BoatView& view,
+                             const shared::FrameData& frame) const {
+  const TextureId mask = graph.create("boat.mask", {.format = GL_RG16F,
+                                                    .width = static_cast<int>(frame.viewport.x),
+                                                    .height = static_cast<int>(frame.viewport.y)});
+  graph.add(
+      "boat.mask",
+      [&](PassBuilder& pass) { pass.write(mask, Access::kAttachment).render_to({mask}); },
+      [this, boat = pose(view, frame).boat](PassContext&) {
+        const float nothing[4] = {};
+        glClearBufferfv(GL_COLOR, 0, nothing);
+        boat_block_.write(boat);
+        boat_block_.bind_uniform(1);
+        glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+        glEnable(GL_BLEND);
+        glBlendEquation(GL_MAX);
+        rigid_layout_.bind();
+        mask_program_.use();
+        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(mask_count_), GL_UNSIGNED_INT,
+                       reinterpret_cast<const void*>(static_cast<std::uintptr_t>(mask_first_) *
+                                                     sizeof(std::uint32_t)));
+        glBlendEquation(GL_FUNC_ADD);
+        glDisable(GL_BLEND);
+      });
+  return mask;
+}
+
+}  // namespace offing

@@ -1,0 +1,105 @@
+#pragma once
+#include <array>
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "engine/gl/buffer.h"
+#include "engine/gl/program.h"
+#include "engine/gl/texture.h"
+#include "engine/graph/frame_graph.h"
+#include "engine/io/image.h"
+#include "engine/io/model.h"
+#include "engine/shader/shader_library.h"
+#include "game/frame/boat_view.h"
+#include "game/frame/cloth.h"
+#include "shaders/shared/boat.h"
+#include "shaders/shared/frame.h"
+
+namespace offing {
+
+/// Nodes that a boat's model must have.
+inline constexpr std::array<std::string_view, 8> kBoatNodeNames = {
+    "hull", "deck", "mast", "boom", "mainsail", "jib", "rudder", "flag"};
+
+/// Pictures of the cloth, luff on the left and head at the top: grey, or red for its port and green
+/// for its starboard side. An empty one is white (alpha) or black (pattern).
+struct BoatTextures {
+  Image main_alpha, main_pattern, jib_alpha, jib_pattern, flag_alpha, flag_pattern;
+};
+
+/// Those of assets/textures. Throws InputError where one is missing.
+BoatTextures load_boat_textures(const std::filesystem::path& folder);
+
+/// Draws the boat: rigid parts with a compact metallic-roughness surface, then sails and flag as
+/// cloth. All of her in one pass; it is skipped while she is out of view.
+class BoatPass {
+ public:
+  /// Throws InputError where the model has too many nodes or materials or lacks a required node, or
+  /// a shader does not compile.
+  BoatPass(ShaderLibrary& shaders, const Model& model, const BoatTextures& textures);
+
+  /// Into `hdr` (radiance × exposure) and `depth` (reversed), both kept where she is not. The frame
+  /// block must be bound at binding 0 when the graph runs, and be equal to `frame`.
+  void add(FrameGraph& graph, const BoatView& view, const shared::FrameData& frame, TextureId hdr,
+           TextureId depth) const;
+
+  /// Where no water may be seen, as a picture of the viewport's size: r is 1 / distance (1/m) to
+  /// the hull's near side, g the distance (m) to its far side, both 0 where there is none. Water at
+  /// distance d from the camera is inside the hull where d × r > 1 and d < g.
+  TextureId add_mask(FrameGraph& graph, const BoatView& view, const shared::FrameData& frame) const;
+
+  ClothStyle mainsail = mainsail_style();
+  ClothStyle jib = jib_style();
+  ClothStyle flag = flag_style();
+
+ private:
+  struct Draw {
+    const ShaderProgram* program;
+    std::uint32_t first, count;
+    int picture;  ///< index into pictures_, or -1
+    bool wire;
+  };
+  struct Cloth {
+    int node = -1;
+    std::uint32_t first = 0, count = 0;
+    float hoist = 0.0f, foot = 0.0f, head = 0.0f, rise = 0.0f;  ///< outline, m; see SailShade
+    gl::Texture alpha, pattern;
+  };
+  struct Frame {
+    shared::BoatData boat;
+    std::array<shared::ClothParameters, 3> cloth;
+    bool hoisted;
+  };
+  enum Sails { kMainsail, kJib, kFlag };
+
+  void build_rigid(ShaderLibrary& shaders, const Model& model);
+  void build_cloth(const Model& model, const BoatTextures& textures);
+  Frame pose(const BoatView& view, const shared::FrameData& frame) const;
+  void draw(const Frame& frame) const;
+
+  struct Node {
+    int parent;
+    glm::mat4 parent_from_node;
+  };
+  std::vector<Node> nodes_;
+  int boom_ = -1, rudder_ = -1;
+  std::array<shared::BoatMaterial, shared::kBoatMaterials> materials_;
+  std::vector<Draw> draws_;
+  std::uint32_t mask_first_ = 0, mask_count_ = 0;
+  std::array<Cloth, 3> cloth_;
+  std::vector<gl::Texture> pictures_;
+  const ShaderProgram& cloth_program_;
+  const ShaderProgram& mask_program_;
+  gl::Buffer vertices_, indices_, cloth_vertices_, cloth_indices_;
+  gl::VertexArray rigid_layout_, cloth_layout_;
+  gl::Buffer boat_block_;
+  std::array<gl::Buffer, 3> cloth_blocks_;
+  gl::Sampler repeat_, clamp_;
+};
+
+/// Whether a sphere (relative to the camera, m) may be seen through this projection.
+bool sphere_in_view(const glm::mat4& clip_from_relative, const glm::vec3& centre, float radius);
+
+}  // namespace offing

@@ -1,0 +1,88 @@
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/angles.h"
+#include "engine/sky/sky.h"
+#include "game/frame/frame_view.h"
+
+namespace offing {
+namespace {
+
+constexpr double kNear = 0.15;  // m
+
+BoatView boat_view(const World& world, glm::dvec3 camera, const SkyLight& light) {
+  const BoatState& state = world.drawn_boat();
+  BoatView view;
+  view.position = glm::vec3(state.position - camera);
+  view.orientation = glm::quat(state.orientation);
+  const auto sail = [](double angle, double fill, double luff) {
+    return SailView{static_cast<float>(angle), static_cast<float>(fill), static_cast<float>(luff)};
+  };
+  view.main = sail(state.boom_angle, state.main_fill, state.main_luff);
+  view.jib = sail(state.jib_angle, state.jib_fill, state.jib_luff);
+  view.rudder = static_cast<float>(state.rudder_angle);
+  view.reef = static_cast<float>(state.reef);
+  view.hoisted = world.boat().controls().sails_up;
+  view.apparent_wind = glm::vec3(state.apparent_wind);
+  // Lamps are lit when the light fails: from about sunset on, in full when 10 lx are left.
+  const double lux = std::max(light.level_illuminance(), 1e-6);
+  view.navigation_lights =
+      static_cast<float>(std::clamp(std::log(400.0 / lux) / std::log(40.0), 0.0, 1.0));
+  return view;
+}
+
+// Whether any pixel looks below the horizon of the sea, waves included.
+bool sea_in_view(const glm::mat4& relative_from_clip, double camera_height) {
+  constexpr double kEarthRadius = 6.36e6, kTallestWave = 20.0;
+  const double height = std::max(camera_height, 0.0);
+  const double dip = std::sqrt(2.0 * height / kEarthRadius) - std::atan2(kTallestWave, 4000.0);
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      const glm::vec4 point = relative_from_clip * glm::vec4(x, y, 1.0f, 1.0f);
+      const glm::dvec3 way = glm::normalize(glm::dvec3(glm::vec3(point)));
+      if (way.y < -std::sin(dip)) return true;
+    }
+  }
+  // Straight down counts even where every corner looks up.
+  const glm::vec4 down = glm::inverse(relative_from_clip) * glm::vec4(0.0f, -1.0f, 0.0f, 1.0f);
+  return down.w > 0.0f && std::abs(down.x) <= down.w && std::abs(down.y) <= down.w;
+}
+
+}  // namespace
+
+FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int number) {
+  const Environment& environment = world.environment();
+  const CameraPose& pose = world.camera().pose();
+  FrameView view;
+  view.size = size;
+  view.camera = pose.position;
+  view.sea_time = world.drawn_time();
+  view.light = light_.update(environment.celestial(), environment.haze, pose.position.y);
+  view.boat = boat_view(world, pose.position, view.light);
+
+  const double aspect = static_cast<double>(size.x) / size.y;
+  const glm::mat4 clip_from_view =
+      reversed_projection(world.camera().field_of_view(), aspect, kNear);
+  const glm::mat4 view_from_relative = glm::mat4_cast(glm::quat(glm::conjugate(pose.orientation)));
+  shared::FrameData& frame = view.frame;
+  frame.clip_from_relative = clip_from_view * view_from_relative;
+  frame.relative_from_clip =
+      glm::mat4(glm::inverse(glm::dmat4(clip_from_view) * glm::dmat4(view_from_relative)));
+  frame.viewport = {size.x, size.y, 1.0f / static_cast<float>(size.x),
+                    1.0f / static_cast<float>(size.y)};
+  const double pixel_angle = 2.0 * std::tan(0.5 * world.camera().field_of_view()) / size.y;
+  frame.camera = {0.0f, pose.position.y, 0.0f, pixel_angle};
+  const glm::dvec2 wind = environment.wind_velocity();
+  frame.wind = {wind.x, environment.wind.gusts, wind.y, environment.wind.speed};
+  frame.time = {std::fmod(view.sea_time, 4096.0), dt, 1.0, number};
+  view.light.fill(frame);
+
+  view.sea_visible = sea_in_view(frame.relative_from_clip, pose.position.y);
+  view.sky_visible = sky_in_view(frame.relative_from_clip, pose.position.y);
+  return view;
+}
+
+}  // namespace offing

@@ -1,0 +1,33 @@
+#pragma once
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "engine/sky/sky_light.h"
+#include "game/frame/boat_view.h"
+#include "game/world/world.h"
+#include "shaders/shared/frame.h"
+
+namespace offing {
+
+/// One frame as data: all that crosses from the simulation to the picture. Never changed once made.
+struct FrameView {
+  glm::ivec2 size{1};       ///< pixels
+  shared::FrameData frame;  ///< as the shaders read it
+  glm::dvec3 camera{0.0};   ///< world, m
+  double sea_time = 0.0;    ///< s
+  SkyLight light;
+  BoatView boat;
+  bool sea_visible = true, sky_visible = true;
+};
+
+/// Makes FrameViews. Holds only what is worth keeping of the sky's light from frame to frame.
+class Extractor {
+ public:
+  /// `dt` is the time since the last frame (s), `number` its number.
+  FrameView extract(const World& world, glm::ivec2 size, double dt, int number);
+
+ private:
+  SkyLightModel light_;
+};
+
+}  // namespace offing

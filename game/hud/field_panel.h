@@ -1,0 +1,12 @@
+#pragma once
+#include <string_view>
+
+#include "engine/core/fields.h"
+
+namespace offing {
+
+/// A slider, box or list for every field whose key begins with `prefix`, made from the field table
+/// alone.
+void draw_fields(const FieldTable& table, std::string_view prefix);
+
+}  // namespace offing

@@ -1,0 +1,56 @@
+#include "game/world/world.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/angles.h"
+
+namespace offing {
+
+World::World(Scene scene, const WaterSurface& water)
+    : scene_(std::move(scene)), water_(water), wind_(scene_.environment), camera_(scene_.camera) {}
+
+void World::start() {
+  boat_.start(scene_.boat.position, radians(scene_.boat.heading_deg), scene_.boat.speed, water_,
+              scene_.environment.elapsed());
+  owed_ = 0.0;
+  before_ = boat_.state();
+  time_before_ = scene_.environment.elapsed();
+  draw_between(1.0);
+  camera_.update({drawn_boat_.position, drawn_boat_.orientation}, 0.0);
+}
+
+void World::update(const Helm& helm, double dt) {
+  apply(helm, dt);
+  if (!scene_.environment.paused) {
+    owed_ = std::min(owed_ + dt, kMostSteps * kStep);
+    // A step is due when all of it has passed, give or take what adding up loses.
+    while (owed_ > kStep * (1.0 - 1e-9)) {
+      before_ = boat_.state();
+      time_before_ = scene_.environment.elapsed();
+      scene_.environment.advance(kStep);
+      boat_.step(water_, wind_, scene_.environment.elapsed(), kStep);
+      owed_ -= kStep;
+    }
+    draw_between(std::max(owed_, 0.0) / kStep);
+  }
+  camera_.update({drawn_boat_.position, drawn_boat_.orientation}, dt);
+}
+
+void World::apply(const Helm& helm, double dt) {
+  constexpr double kSheetRate = 0.35;  // of the sheet's whole length per second
+  if (helm.toggle_auto_trim) boat_.controls().auto_trim = !boat_.controls().auto_trim;
+  if (helm.toggle_heading_hold) boat_.hold_heading(!boat_.holding());
+  if (helm.tack_or_gybe) boat_.tack_or_gybe();
+  if (helm.reef >= 0) boat_.controls().reef = helm.reef;
+  if (helm.mainsheet != 0.0) boat_.trim_main(helm.mainsheet * kSheetRate * dt);
+  if (helm.jib_sheet != 0.0) boat_.trim_jib(helm.jib_sheet * kSheetRate * dt);
+  boat_.steer(helm.rudder);
+}
+
+void World::draw_between(double share) {
+  drawn_boat_ = interpolate(before_, boat_.state(), share);
+  drawn_time_ = time_before_ + (scene_.environment.elapsed() - time_before_) * share;
+}
+
+}  // namespace offing

@@ -1,0 +1,66 @@
+#pragma once
+#include "engine/boat/boat.h"
+#include "engine/boat/environment_wind.h"
+#include "engine/ocean/water_surface.h"
+#include "game/world/camera.h"
+#include "game/world/scene.h"
+
+namespace offing {
+
+/// What the player wants during one frame. Rates are held keys; the booleans are presses.
+struct Helm {
+  double rudder = 0.0;     ///< -1 to port … 1 to starboard
+  double mainsheet = 0.0;  ///< -1 haul in … 1 ease, per frame a rate
+  double jib_sheet = 0.0;  ///< likewise
+  bool toggle_auto_trim = false;
+  bool toggle_heading_hold = false;
+  bool tack_or_gybe = false;
+  int reef = -1;  ///< 0 to 3, or -1 for no change
+};
+
+/// The simulation: environment, sea state, boat and camera. Knows no OpenGL. The same scene, seed
+/// and steps give the same states.
+class World {
+ public:
+  static constexpr double kStep = 1.0 / 120.0;  ///< s
+  static constexpr int kMostSteps = 8;          ///< per update; time beyond them is dropped
+
+  /// `water` is where the boat floats; it must outlive the world. start() must follow.
+  World(Scene scene, const WaterSurface& water);
+  World(const World&) = delete;  // the boat's wind refers to the environment in here
+  World& operator=(const World&) = delete;
+
+  /// Puts the boat on the water as the scene says. The water must be known by then.
+  void start();
+  /// Moves everything on by dt seconds of real time, in fixed steps.
+  void update(const Helm& helm, double dt);
+
+  Scene& scene() { return scene_; }
+  const Scene& scene() const { return scene_; }
+  Environment& environment() { return scene_.environment; }
+  const Environment& environment() const { return scene_.environment; }
+  Boat& boat() { return boat_; }
+  const Boat& boat() const { return boat_; }
+  Camera& camera() { return camera_; }
+  const Camera& camera() const { return camera_; }
+
+  /// The boat between its last two steps, as it is to be drawn now.
+  const BoatState& drawn_boat() const { return drawn_boat_; }
+  /// The sea's clock of what is drawn now, s.
+  double drawn_time() const { return drawn_time_; }
+
+ private:
+  void apply(const Helm& helm, double dt);
+  void draw_between(double share);
+
+  Scene scene_;
+  const WaterSurface& water_;
+  EnvironmentWind wind_;
+  Boat boat_;
+  Camera camera_;
+  BoatState before_, drawn_boat_;
+  double time_before_ = 0.0, drawn_time_ = 0.0;
+  double owed_ = 0.0;  ///< time passed and not yet simulated, s
+};
+
+}  // namespace offing

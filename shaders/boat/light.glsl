@@ -1,0 +1,50 @@
+// What falls on the boat: sun, moon, sky and the sea's bounce, with the shadows of the sails.
+
+const float kPi = 3.14159265358979323846;
+// Deep sea water sends back a few percent of what falls on it, blue-green (Jerlov 1976), and its
+// surface reflects about as much again of the sky near the horizon.
+const vec3 kSeaAlbedo = vec3(0.045, 0.070, 0.085);
+const float kSailTransmittance = 0.22;
+
+// The share of light from `direction` (boat frame) that passes the sails on its way to `p`.
+float sail_shade(vec3 p, vec3 direction, int own) {
+  float light = 1.0;
+  for (int i = 0; i < 2; ++i) {
+    SailShade sail = boat.sails[i];
+    float across = dot(direction, sail.normal.xyz);
+    across = abs(across) < 1.0e-4 ? 1.0e-4 : across;
+    vec3 from_foot = p - sail.origin.xyz;
+    float t = -dot(from_foot, sail.normal.xyz) / across;
+    vec3 hit = from_foot + t * direction;
+    float y = dot(hit, sail.luff.xyz);
+    float z = dot(hit, sail.chord.xyz);
+    float leech = mix(sail.luff.w, sail.chord.w, y / max(sail.origin.w, 1.0e-3));
+    // The half shadow grows with the distance as the sun's disc does; cloth is not quite where its
+    // plane is.
+    float blur = 0.04 + 0.01 * abs(t);
+    float inside = smoothstep(-blur, blur, z) * smoothstep(-blur, blur, leech - z) *
+                   smoothstep(-blur, blur, y - sail.normal.w * z) *
+                   smoothstep(-blur, blur, sail.origin.w - y);
+    bool counts = t > 0.05 && i != own && sail.origin.w > 0.0;
+    light *= 1.0 - (counts ? (1.0 - kSailTransmittance) * inside : 0.0);
+  }
+  return light;
+}
+
+// Illuminance (lux) of a surface with this normal from sky and sea, without sun and moon.
+vec3 ambient_illuminance(vec3 normal) {
+  vec3 sky = frame.sky_illuminance.rgb;
+  vec3 down = sky + frame.sun_illuminance.rgb * max(frame.sun_direction.y, 0.0) +
+              frame.moon_illuminance.rgb * max(frame.moon_direction.y, 0.0);
+  float up = 0.5 + 0.5 * normal.y;
+  return sky * up + kSeaAlbedo * down * (1.0 - up);
+}
+
+// Light 0 is the sun, light 1 the moon. Only those that count are gone through: by day the moon does
+// not, by night the sun does not. (Bounds of a loop save work where a branch would not.)
+int first_light() { return frame.sun_illuminance.g > 0.0 ? 0 : 1; }
+int last_light() {
+  return frame.moon_illuminance.g > 1.0e-3 * frame.sun_illuminance.g ? 2 : 1;
+}
+vec3 light_direction(int i) { return i == 0 ? frame.sun_direction.xyz : frame.moon_direction.xyz; }
+vec3 light_illuminance(int i) { return i == 0 ? frame.sun_illuminance.rgb : frame.moon_illuminance.rgb; }

@@ -1,0 +1,64 @@
+// A compact metallic-roughness surface: GGX and Lambert under sun and moon, sky above, sea below.
+#include "shared/frame.h"
+#include "shared/boat.h"
+#include "lib/ggx.glsl"
+#include "boat/light.glsl"
+
+layout(binding = 0) uniform sampler2D base_picture;
+
+in Surface {
+  vec3 relative;
+  vec3 in_boat;
+  vec3 normal;
+  vec2 uv;
+  float coverage;
+  flat int material;
+} surface;
+
+layout(location = 0) out vec4 radiance;
+
+vec3 reflected(vec3 n, vec3 v, vec3 l, vec3 diffuse, vec3 f0, float alpha) {
+  float n_dot_l = max(dot(n, l), 0.0);
+  float n_dot_v = max(dot(n, v), 1.0e-3);
+  vec3 h = normalize(l + v);
+  float lobe = ggx_density(max(dot(n, h), 0.0), alpha) * ggx_visibility(n_dot_l, n_dot_v, alpha);
+  return n_dot_l * (diffuse / kPi + schlick_fresnel(f0, max(dot(l, h), 0.0)) * lobe);
+}
+
+void main() {
+  BoatMaterial material = boat.materials[surface.material];
+  vec3 base = material.base_colour.rgb;
+#ifdef PICTURE
+  base *= texture(base_picture, surface.uv).rgb;
+#endif
+  float metallic = material.base_colour.w;
+  float alpha = material.emission.w;
+  vec3 diffuse = base * (1.0 - metallic);
+  vec3 f0 = mix(vec3(0.04), base, metallic);
+
+  vec3 n = normalize(surface.normal);
+  vec3 v = -normalize(surface.relative);
+  mat3 boat_from_world = transpose(mat3(boat.relative_from_boat));
+
+  vec3 sum = vec3(0.0);
+  for (int i = first_light(); i < last_light(); ++i) {
+    vec3 l = light_direction(i);
+    sum += light_illuminance(i) * sail_shade(surface.in_boat, boat_from_world * l, -1) *
+           reflected(n, v, l, diffuse, f0, alpha);
+  }
+
+  // Sky and sea: diffuse from the hemisphere about the normal, glossy from the one about the mirror
+  // direction, which sharpens toward the horizon with the gloss.
+  sum += diffuse / kPi * ambient_illuminance(n);
+  vec3 mirror = reflect(-v, n);
+  float horizon = clamp(mirror.y / (alpha + 0.1), -1.0, 1.0);
+  vec3 glossy = ambient_illuminance(vec3(0.0, horizon, 0.0)) / kPi;
+  float m = 1.0 - max(dot(n, v), 0.0);
+  // Reflectance of a rough surface over all directions (S. Lagarde 2011, "Adopting a physically based
+  // shading model").
+  vec3 reflectance = f0 + (max(vec3(1.0 - alpha), f0) - f0) * m * m * m * m * m;
+  sum += reflectance * glossy;
+
+  sum += material.emission.rgb;
+  radiance = vec4(min(sum * frame.time.z, vec3(6.0e4)), surface.coverage);
+}

@@ -1,0 +1,29 @@
+// HDR picture to display: night sight, curve, sRGB, dither. One pass.
+#include "lib/colour.glsl"
+#include "lib/tonemap.glsl"
+
+layout(binding = 0) uniform sampler2D hdr;
+layout(location = 0) uniform float exposure;
+#ifdef COUNT_NONFINITE
+layout(std430, binding = 0) buffer Count { uint nonfinite; };
+#endif
+layout(location = 0) out vec4 display;
+
+void main() {
+  vec3 colour = texelFetch(hdr, ivec2(gl_FragCoord.xy), 0).rgb;
+  if (any(isnan(colour)) || any(isinf(colour))) {
+#ifdef COUNT_NONFINITE
+    atomicAdd(nonfinite, 1u);
+#endif
+    colour = vec3(0.0);
+  }
+  colour = night_sight(colour, rod_share(colour_luminance(colour) / exposure));
+#ifdef EXPONENTIAL
+  vec3 shown = tonemap_exponential(colour);
+#else
+  vec3 shown = tonemap_filmic(colour);
+#endif
+  vec3 noise = vec3(dither(gl_FragCoord.xy), dither(gl_FragCoord.xy + vec2(47.0, 17.0)),
+                    dither(gl_FragCoord.xy + vec2(13.0, 71.0)));
+  display = vec4(srgb_from_linear(clamp(shown, vec3(0.0), vec3(1.0))) + noise, 1.0);
+}

@@ -1,0 +1,44 @@
+// The boat as her shaders see her. One struct for C++ and GLSL (std140: vec4 and mat4 only).
+// Boat frame: x starboard, y up, z aft, origin at the design waterline amidships.
+#ifdef __cplusplus
+#pragma once
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+namespace offing::shared {
+using glm::mat4;
+using glm::vec4;
+#define OFFING_CONST inline constexpr
+#else
+#define OFFING_CONST const
+#endif
+
+OFFING_CONST int kBoatNodes = 24;
+OFFING_CONST int kBoatMaterials = 32;
+#undef OFFING_CONST
+
+struct BoatMaterial {
+  vec4 base_colour;  // linear sRGB; w: metallic 0 to 1
+  vec4 emission;     // luminance at night, cd/m^2; w: GGX alpha
+};
+
+// A sail as a shadow caster: flat, between luff and leech. Boat frame.
+struct SailShade {
+  vec4 origin;  // xyz: foot of the luff; w: hoist (m), 0 where there is no sail
+  vec4 luff;    // xyz: unit, up the luff; w: length of the foot along `chord` (m)
+  vec4 chord;   // xyz: unit, square to the luff; w: length of the head (m)
+  vec4 normal;  // xyz: luff × chord; w: rise of the foot per metre of chord
+};
+
+struct BoatData {
+  mat4 relative_from_boat;
+  mat4 boat_from_node[kBoatNodes];
+  BoatMaterial materials[kBoatMaterials];
+  SailShade sails[2];  // mainsail, jib
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(BoatData) == 64 + 64 * kBoatNodes + 32 * kBoatMaterials + 2 * 64);
+}  // namespace offing::shared
+#else
+layout(std140, binding = 1) uniform BoatBlock { BoatData boat; };
+#endif
