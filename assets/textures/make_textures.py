@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""Makes the cloth textures of the R8: grey, 8 bit. Python 3 alone, the same bytes every time.
+"""Makes the cloth textures of the R8, 8 bit. Python 3 alone, the same bytes every time.
 
 A picture shows the cloth as one sees it with the luff (or hoist) on the left and the head at the top.
-*_alpha: 1 where there is cloth. *_pattern: 0 is colour A, 1 is colour B."""
+*_alpha: 1 where there is cloth. *_pattern: 0 is colour A, 1 is colour B. The mainsail's pattern has one
+channel for each side of the cloth, red to port and green to starboard, so that her letters read from
+both; all other pictures are grey."""
 
 import math
 import os
@@ -39,7 +41,7 @@ def emblem(x, y):
 BATTENS = (0.30, 0.47, 0.64, 0.80)  # heights at the leech
 
 
-def main_pattern(u, v):
+def main_pattern(u, v, starboard):
     x, y = u * chord(v), v * HOIST
     from_leech = chord(v) - x
     shade = 0.0
@@ -67,7 +69,7 @@ def main_pattern(u, v):
         shade = max(shade, 0.14)
     # Class emblem, and a stripe that follows the seams under it.
     ex, ey = (x - 0.40) / 0.68, (y - 5.42) / 0.68
-    if emblem(ex, ey) < 0.085:
+    if emblem(1.48 - ex if starboard else ex, ey) < 0.085:
         shade = 1.0
     if abs(y - 5.17) < 0.040 and 0.30 < x < 1.52:
         shade = 1.0
@@ -125,28 +127,32 @@ def flag_alpha(u, v):
     return 1.0 if (1.0 - u) * 1.5 > 0.30 * (1.0 - abs(2.0 * v - 1.0)) else 0.0
 
 
-def render(name, function, width, height, samples=3):
+def render(name, functions, width, height, samples=3):
+    """One function: a grey picture. More: one channel each, the rest black."""
     rows = []
+    channels = 1 if len(functions) == 1 else 3
     for row in range(height):
         line = []
         for column in range(width):
-            total = 0.0
+            totals = [0.0] * channels
             for j in range(samples):
                 for i in range(samples):
                     u = (column + (i + 0.5) / samples) / width
                     v = 1.0 - (row + (j + 0.5) / samples) / height
-                    total += function(u, v)
-            line.append(int(255.0 * total / samples**2 + 0.5))
+                    for channel, function in enumerate(functions):
+                        totals[channel] += function(u, v)
+            line += [int(255.0 * total / samples**2 + 0.5) for total in totals]
         rows.append(line)
-    png.write(os.path.join(HERE, name + ".png"), width, height, 1, rows)
+    png.write(os.path.join(HERE, name + ".png"), width, height, channels, rows)
 
 
 def main():
-    render("main_pattern", main_pattern, 256, 512)
-    render("main_alpha", main_alpha, 128, 256)
-    render("jib_pattern", jib_pattern, 256, 512)
-    render("flag_pattern", flag_pattern, 192, 128)
-    render("flag_alpha", flag_alpha, 192, 128)
+    render("main_pattern", [lambda u, v: main_pattern(u, v, False), lambda u, v: main_pattern(u, v, True)],
+           256, 512)
+    render("main_alpha", [main_alpha], 128, 256)
+    render("jib_pattern", [jib_pattern], 256, 512)
+    render("flag_pattern", [flag_pattern], 192, 128)
+    render("flag_alpha", [flag_alpha], 192, 128)
 
 
 if __name__ == "__main__":

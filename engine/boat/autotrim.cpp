@@ -3,20 +3,47 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/boat/hydrostatics.h"
 #include "engine/core/angles.h"
 
 namespace offing {
+namespace {
+
+/// How much sail (0 to 1, as `power` below) she can carry close-hauled in an apparent wind: full
+/// sail at best lift against what holds her upright at 26 degrees, crew out.
+double power_for(const RigParameters& rig, double wind) {
+  constexpr double kRightingMoment = 11500.0, kBestLift = 1.4, kArmBelow = 0.75;  // N m, -, m
+  const double area = rig.main_area + rig.jib_area;
+  const double height =
+      (rig.main_area * rig.main_height + rig.jib_area * rig.jib_height) / area + kArmBelow;
+  const double full = 0.5 * kAirDensity * wind * wind * area * kBestLift * height;
+  const double part = kRightingMoment / std::max(full, 1.0);
+  // Flattened all the way she has 0.5 of the moment left, reefed all the way 0.13.
+  return part > 0.5 ? 0.5 + (part - 0.5) : std::max(0.0, 0.5 * (part - 0.13) / 0.37);
+}
+
+}  // namespace
 
 TrimOrder AutoTrim::step(const RigParameters& rig, const TrimView& view, double reef_most,
                          double dt) {
   constexpr double kBestAttack = radians(22.0), kMostHeel = radians(26.0);
-  constexpr double kEye = 0.6, kFeel = 1.0;  // s: how fast the crew notices
+  constexpr double kEye = 2.0, kFeel = 1.0;  // s: how fast the crew notices
+  if (!started_) {
+    apparent_ = std::abs(view.apparent);
+    wind_ = view.wind;
+  }
   apparent_ += (std::abs(view.apparent) - apparent_) * (dt / (dt + kEye));
   heel_ += (std::abs(view.heel) - heel_) * (dt / (dt + kFeel));
 
+  wind_ += (view.wind - wind_) * (dt / (dt + 2.0));
+  const double ahead = std::cos(std::min(apparent_, 0.5 * kPi));  // off the wind she carries more
+  const double most = std::min(1.0, 1.15 * power_for(rig, wind_ * (0.5 + 0.5 * ahead)));
+  if (!started_) power_ = most;
+  started_ = true;
+
   const double excess = heel_ - kMostHeel;
   constexpr double kEase = 1.0, kReturn = 0.6;  // per rad of heel and second
-  power_ = std::clamp(power_ - excess * (excess > 0.0 ? kEase : kReturn) * dt, 0.0, 1.0);
+  power_ = std::clamp(power_ - excess * (excess > 0.0 ? kEase : kReturn) * dt, 0.0, most);
 
   TrimOrder order;
   constexpr double kFlattest = 0.55, kSmallest = 0.6;
@@ -24,14 +51,19 @@ TrimOrder AutoTrim::step(const RigParameters& rig, const TrimView& view, double 
   order.reef = std::min(reef_most, kSmallest + (1.0 - kSmallest) * std::min(2.0 * power_, 1.0));
   // A gust heels her faster than anyone reefs: spill it.
   const double spill = std::clamp(std::abs(view.heel) - kMostHeel - radians(4.0), 0.0, 0.35);
-  order.main_sheet = std::clamp(apparent_ - kBestAttack + spill, rig.boom_least, rig.boom_stop);
+  // Sliding sideways, less press brings her to go ahead again.
+  const double slide = std::clamp(std::abs(view.leeway) - radians(12.0), 0.0, radians(45.0));
+  order.main_sheet =
+      std::clamp(apparent_ - kBestAttack + spill + slide, rig.boom_least, rig.boom_stop);
   order.jib_sheet = std::clamp(apparent_ - kBestAttack, rig.jib_least, rig.jib_stop);
 
-  const bool in_irons = std::abs(view.speed) < 0.5 && apparent_ < radians(24.0);
+  const bool in_irons = view.speed < 0.5 && apparent_ < radians(24.0);
   stuck_ = in_irons ? stuck_ + dt : 0.0;
   if (stuck_ > 1.0) {
     // The bow falls away from the side the clew is held to. No helm: fall off as she lies.
-    const double wish = std::abs(view.turn) > 0.1 ? view.turn : view.apparent;
+    // Astern the rudder turns her the other way: help it, do not fight it.
+    const double helm = view.speed < -0.15 ? -view.turn : view.turn;
+    const double wish = std::abs(helm) > 0.1 ? helm : view.apparent;
     order.jib_aback = wish < 0.0 ? 1.0 : -1.0;
   }
   return order;

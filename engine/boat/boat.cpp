@@ -32,9 +32,7 @@ bool finite(const RigidBodyState& s) {
 }
 
 /// Turns about y: a heading h looks along (sin h, 0, -cos h).
-glm::dquat facing(double heading) {
-  return glm::angleAxis(-heading, glm::dvec3(0.0, 1.0, 0.0));
-}
+glm::dquat facing(double heading) { return glm::angleAxis(-heading, glm::dvec3(0.0, 1.0, 0.0)); }
 
 double heading_of(const glm::dquat& orientation) {
   const glm::dvec3 ahead = orientation * glm::dvec3(0.0, 0.0, -1.0);
@@ -87,7 +85,8 @@ Boat::Boat(const R8Parameters& parameters)
   const Immersion canoe = immerse_level(hull_.shape(), 0.0);
   const double volume = canoe.volume + p_.keel_volume;
   const glm::dvec3 buoyancy =
-      (canoe.volume * canoe.centroid + p_.keel_volume * p_.keel_place) / volume;
+      (canoe.volume * canoe.centroid + p_.keel_volume * glm::dvec3(0.0, -0.85, canoe.centroid.z)) /
+      volume;
   const double metacentre = buoyancy.y + canoe.transverse_inertia / volume;
   centre_ = {0.0, metacentre - p_.metacentric_height, buoyancy.z};
 
@@ -108,7 +107,8 @@ void Boat::start(glm::dvec2 position, double heading, double speed, const WaterS
   rig_reading_ = RigReading{};
   forces_ = BoatForces{};
   navigation_ = Navigation{};
-  jib_aback_ = flow_angle_ = felt_heel_ = rudder_wanted_ = 0.0;
+  jib_aback_ = flow_angle_ = flow_speed_ = felt_heel_ = free_rudder_ = 0.0;
+  set_sail_ = false;
   true_wind_ = glm::dvec2(0.0);
   masthead_wind_ = glm::dvec3(0.0);
   limits_ = 0;
@@ -182,7 +182,8 @@ void Boat::hold_heading(bool on) {
 void Boat::tack_or_gybe() { helmsman_.tack_or_gybe(helm_view()); }
 
 HelmView Boat::helm_view() const {
-  return {navigation_.heading, navigation_.turn_rate, navigation_.stw, navigation_.twd};
+  return {navigation_.heading, navigation_.turn_rate, navigation_.stw, navigation_.leeway,
+          navigation_.twd,     free_rudder_,          p_.rudder_most};
 }
 
 double Boat::energy() const {
@@ -219,21 +220,20 @@ double Boat::jib_limit(double sheet) const {
 }
 
 void Boat::actuate(double dt) {
-  const double helm = helmsman_.task() == Helmsman::Task::kNone
-                          ? clean(controls_.rudder, -1.0, 1.0)
-                          : helmsman_.step(helm_view(), dt);
-  rudder_wanted_ = helm;
-  state_.rudder_angle =
-      approach(state_.rudder_angle, helm * p_.rudder_most, p_.rudder_rate * dt);
+  const double helm = helmsman_.task() == Helmsman::Task::kNone ? clean(controls_.rudder, -1.0, 1.0)
+                                                                : helmsman_.step(helm_view(), dt);
+  state_.rudder_angle = approach(state_.rudder_angle, helm * p_.rudder_most, p_.rudder_rate * dt);
 
   const double reef_most = kReefSizes[std::clamp(controls_.reef, 0, 3)];
   TrimOrder order;
   order.main_sheet = main_limit(clean(controls_.mainsheet, 0.0, 1.0));
   order.jib_sheet = jib_limit(clean(controls_.jib_sheet, 0.0, 1.0));
   order.reef = reef_most;
-  if (controls_.auto_trim) {
-    order = autotrim_.step(p_.rig, {flow_angle_, navigation_.heel, navigation_.stw, helm},
-                           reef_most, dt);
+  if (controls_.auto_trim && flow_speed_ > 0.0) {
+    order = autotrim_.step(
+        p_.rig,
+        {flow_angle_, flow_speed_, navigation_.leeway, navigation_.heel, navigation_.stw, helm},
+        reef_most, dt);
   }
   // Sheets are pulled slower than they run out; a reef takes its time.
   constexpr double kPull = 0.35, kRun = 1.0, kCut = 0.3, kReefing = 0.08;  // 1/s
@@ -241,8 +241,12 @@ void Boat::actuate(double dt) {
     now = approach(now, wanted, (wanted > now ? kRun : kPull) * dt);
   };
   const RigParameters& rig = p_.rig;
-  sheet(state_.mainsheet,
-        (order.main_sheet - rig.boom_least) / (rig.boom_stop - rig.boom_least));
+  if (!set_sail_ && flow_speed_ > 0.0) {  // she starts with sails set for the wind she meets
+    state_.flat = order.flat;
+    state_.reef = order.reef;
+    set_sail_ = true;
+  }
+  sheet(state_.mainsheet, (order.main_sheet - rig.boom_least) / (rig.boom_stop - rig.boom_least));
   sheet(state_.jib_sheet, (order.jib_sheet - rig.jib_least) / (rig.jib_stop - rig.jib_least));
   state_.flat = approach(state_.flat, order.flat, kCut * dt);
   state_.reef = approach(state_.reef, order.reef, kReefing * dt);
@@ -259,8 +263,7 @@ void Boat::actuate(double dt) {
 }
 
 void Boat::add_gravity(Loads& loads) const {
-  const glm::dvec3 down =
-      glm::conjugate(motion_.orientation) * glm::dvec3(0.0, -kGravity, 0.0);
+  const glm::dvec3 down = glm::conjugate(motion_.orientation) * glm::dvec3(0.0, -kGravity, 0.0);
   loads.add(p_.mass * down, glm::dvec3(0.0));
   loads.add_torque(glm::cross(glm::dvec3(state_.crew_offset, 0.0, 0.0), p_.crew_mass * down));
 }
@@ -287,13 +290,16 @@ void Boat::add_underwater(Loads& loads) {
 
   // The keel is deep and long: it feels the mean of the water along the hull. The rudder feels the
   // water under the stern.
-  const glm::dvec3 keel_flow = flow(p_.keel_place, probe_.mean_velocity());
+  const glm::dvec3 keel_flow =
+      flow(p_.keel_place, probe_.left_at(-p_.keel_place.y) * probe_.mean_velocity());
   const glm::dvec2 keel = keel_wet * keel_.force({keel_flow.x, keel_flow.z}, 0.0);
   forces_.keel = {keel.x, 0.0, keel.y};
   loads.add(forces_.keel, p_.keel_place - centre_);
 
   const glm::dvec3 rudder_flow =
-      flow(p_.rudder_place, probe_.at(hull_.shape(), p_.rudder_place.z).velocity);
+      flow(p_.rudder_place, probe_.left_at(-p_.rudder_place.y) *
+                                probe_.at(hull_.shape(), p_.rudder_place.z).velocity);
+  free_rudder_ = std::atan2(rudder_flow.x, rudder_flow.z);
   const double rudder_wet = wet_part(depth(p_.rudder_place), p_.rudder_span);
   const glm::dvec2 rudder =
       rudder_wet * rudder_.force({rudder_flow.x, rudder_flow.z}, state_.rudder_angle);
@@ -316,8 +322,7 @@ void Boat::add_underwater(Loads& loads) {
     const double push =
         std::min(p_.motor_thrust, p_.motor_efficiency * p_.motor_power / std::max(speed, 0.1));
     const glm::dvec3 propeller(0.0, -0.45, 2.5);
-    loads.add({0.0, 0.0, -throttle * push * wet_part(depth(propeller), 0.4)},
-              propeller - centre_);
+    loads.add({0.0, 0.0, -throttle * push * wet_part(depth(propeller), 0.4)}, propeller - centre_);
   }
 }
 
@@ -346,6 +351,7 @@ void Boat::add_air(Loads& loads, const WindField& wind, double dt) {
   rig_reading_ = rig_.add_loads(loads, set, centre_, main_wind, jib_wind);
   forces_.sails = loads.force() - before;
   flow_angle_ = std::atan2(main_wind.x, main_wind.z);
+  flow_speed_ = std::hypot(main_wind.x, main_wind.z);
 
   // Hull and mast: areas across and along her, at the speed of the wind in the jib.
   const double pressure = 0.5 * kAirDensity * std::hypot(jib_wind.x, jib_wind.z);

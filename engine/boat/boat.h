@@ -34,17 +34,17 @@ struct BoatControls {
 struct BoatState {
   glm::dvec3 position{0.0};  ///< world, of the model's origin: amidships on the design waterline
   glm::dquat orientation{1.0, 0.0, 0.0, 0.0};  ///< world from boat
-  glm::dvec3 velocity{0.0};          ///< m/s, world, of the centre of mass
-  glm::dvec3 angular_velocity{0.0};  ///< rad/s, boat axes
-  double boom_angle = 0.0;    ///< positive to starboard
-  double boom_rate = 0.0;     ///< rad/s
-  double jib_angle = 0.0;     ///< positive to starboard
+  glm::dvec3 velocity{0.0};                    ///< m/s, world, of the centre of mass
+  glm::dvec3 angular_velocity{0.0};            ///< rad/s, boat axes
+  double boom_angle = 0.0;                     ///< positive to starboard
+  double boom_rate = 0.0;                      ///< rad/s
+  double jib_angle = 0.0;                      ///< positive to starboard
   double rudder_angle = 0.0;  ///< positive: trailing edge, and so the bow, to starboard
   double mainsheet = 0.0, jib_sheet = 0.0;  ///< 0 in to 1 out, as they are
   double flat = 1.0, reef = 1.0;            ///< fullness and linear size of the sails
-  double crew_offset = 0.0;   ///< m to starboard
-  double main_fill = 0.0, jib_fill = 0.0;  ///< -1 to 1: press of wind, + bellies to starboard
-  double main_luff = 0.0, jib_luff = 0.0;  ///< 0 full to 1 shaking
+  double crew_offset = 0.0;                 ///< m to starboard
+  double main_fill = 0.0, jib_fill = 0.0;   ///< -1 to 1: press of wind, + bellies to starboard
+  double main_luff = 0.0, jib_luff = 0.0;   ///< 0 full to 1 shaking
   glm::dvec3 apparent_wind{0.0};  ///< m/s, boat axes, at the main: how the air moves past her
 };
 
@@ -58,8 +58,8 @@ struct BoatForces {
   double volume = 0.0;      ///< m^3 under water, keel included
 };
 
-/// R8: a six-degrees-of-freedom keelboat on queried water, in a queried wind. Knows no OpenGL, keeps
-/// no clock, allocates nothing per step, and gives the same states for the same inputs.
+/// R8: a six-degrees-of-freedom keelboat on queried water, in a queried wind. Knows no OpenGL,
+/// keeps no clock, allocates nothing per step, and gives the same states for the same inputs.
 class Boat {
  public:
   /// Throws InputError where a number is impossible.
@@ -82,9 +82,11 @@ class Boat {
   void trim_jib(double delta);
   void hold_heading(bool on);
   bool holding() const { return helmsman_.task() != Helmsman::Task::kNone; }
+  bool recovering() const { return helmsman_.recovering(); }
   void hold_heading_at(double heading) { helmsman_.hold(heading); }
   /// Through the wind by herself, then holds the new heading until the helm is touched.
   void tack_or_gybe();
+  double hold_target() const { return helmsman_.target(); }  ///< rad
   Helmsman::Task manoeuvre() const { return helmsman_.task(); }
 
   // ---- what she tells --------------------------------------------------------------------------
@@ -137,7 +139,9 @@ class Boat {
   glm::dvec3 external_force_{0.0}, external_place_{0.0};
   glm::dvec2 true_wind_{0.0};
   glm::dvec3 masthead_wind_{0.0};
-  double rudder_wanted_ = 0.0, jib_aback_ = 0.0, flow_angle_ = 0.0, felt_heel_ = 0.0;
+  bool set_sail_ = false;  ///< sheets and reefs were set after start()
+  double jib_aback_ = 0.0, flow_angle_ = 0.0, flow_speed_ = 0.0, felt_heel_ = 0.0,
+         free_rudder_ = 0.0;
   long limits_ = 0, probe_limits_at_start_ = 0;
 };
 

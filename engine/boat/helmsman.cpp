@@ -26,7 +26,28 @@ void Helmsman::tack_or_gybe(const HelmView& view) {
 
 double Helmsman::step(const HelmView& view, double dt) {
   if (task_ == Task::kNone) return 0.0;
-  const double error = wrap_pi(target_ - view.heading);
+  const double helm = wanted(view, dt);
+  if (view.speed < 0.2) return helm;
+  // Beyond its stall a rudder brakes more than it turns.
+  constexpr double kMostAttack = radians(17.0);
+  const double low = std::clamp((view.free_rudder - kMostAttack) / view.rudder_most, -1.0, 1.0);
+  const double high = std::clamp((view.free_rudder + kMostAttack) / view.rudder_most, -1.0, 1.0);
+  return std::clamp(helm, low, high);
+}
+
+double Helmsman::wanted(const HelmView& view, double dt) {
+  const double wind = wrap_pi(view.wind_from - view.heading);
+  const double stalled = radians(25.0), flowing = radians(9.0);
+  if (std::abs(wind) > radians(100.0) || (view.speed > 1.3 && std::abs(view.leeway) < flowing)) {
+    recovering_ = false;
+  } else if (std::abs(wind) < radians(75.0) &&
+             (view.speed < 0.35 || (view.speed < 1.5 && std::abs(view.leeway) > stalled))) {
+    recovering_ = true;
+    task_ = Task::kHold;
+  }
+  double goal = target_;
+  if (recovering_) goal = view.wind_from - (wind < 0.0 ? -1.0 : 1.0) * radians(85.0);
+  const double error = wrap_pi(goal - view.heading);
   const bool astern = view.speed < -0.15;
   if (task_ != Task::kHold) {
     constexpr double kMeet = 0.45;  // rad before the new heading where the helm is met

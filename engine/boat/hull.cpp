@@ -31,8 +31,8 @@ HullReading Hull::add_loads(Loads& loads, const RigidBody& body, const RigidBody
     const auto gradient = [&](const glm::dvec3& axis) {
       return local.slope.x * axis.x + local.slope.y * axis.z - axis.y;
     };
-    const WetSection wet = wet_section(section, local.height - local.centre.y,
-                                       {gradient(right), gradient(mast)});
+    const WetSection wet =
+        wet_section(section, local.height - local.centre.y, {gradient(right), gradient(mast)});
     if (wet.area <= 0.0) continue;
 
     const double volume = wet.area * section.thickness;
@@ -46,8 +46,7 @@ HullReading Hull::add_loads(Loads& loads, const RigidBody& body, const RigidBody
 
     // Damping, relative to the water: up and down by the waves it makes and by slamming, sideways
     // by cross-flow.
-    const glm::dvec3 relative =
-        velocity + glm::cross(rate, arm) - body_from_world * local.velocity;
+    const glm::dvec3 relative = velocity + glm::cross(rate, arm) - body_from_world * local.velocity;
     const double sinking = glm::dot(relative, up);
     const double plane = wet.breadth * section.thickness;
     const double vertical = damping_.heave_per_area * plane +
@@ -63,6 +62,12 @@ HullReading Hull::add_loads(Loads& loads, const RigidBody& body, const RigidBody
   const double displaced = body.mass / kWaterDensity;
   const double wetness = std::clamp(reading.volume / displaced, 0.0, 1.0);
   loads.add(wetness * body.added_mass * (body_from_world * acceleration), glm::dvec3(0.0));
+  // Munk's moment: a long body that drifts wants to lie across its way (Newman 1977, 4.13). It is
+  // what brings the centre of lateral resistance forward of the keel, and the bow round from irons.
+  const glm::dvec3 drift = velocity - body_from_world * water.mean_velocity();
+  loads.add_torque(
+      {0.0, -wetness * damping_.munk * (body.added_mass.x - body.added_mass.z) * drift.x * drift.z,
+       0.0});
   // Rolling to starboard is a negative turn about z (aft).
   loads.add_angular_damping(wetness * glm::dvec3(0.0, damping_.yaw, damping_.roll),
                             rate - glm::dvec3(0.0, 0.0, water.roll_rate()));

@@ -9,17 +9,18 @@ namespace offing {
 
 /// How a floating body meets the water, beside its shape.
 struct HullDamping {
-  double heave_per_area = 820.0;  ///< N s/m per m^2 of waterplane: the waves it makes
-  double slam = 0.8;              ///< drag coefficient against vertical flow, on wet breadth
-  double cross_flow = 0.6;        ///< drag coefficient against flow from the side, on wet side area
-  double roll = 700.0;            ///< N m s
-  double yaw = 400.0;             ///< N m s
+  double heave_per_area = 1400.0;  ///< N s/m per m^2 of waterplane: the waves it makes
+  double slam = 0.8;               ///< drag coefficient against vertical flow, on wet breadth
+  double cross_flow = 0.6;  ///< drag coefficient against flow from the side, on wet side area
+  double munk = 1.0;        ///< share of the ideal fluid's yawing moment that is left
+  double roll = 700.0;      ///< N m s
+  double yaw = 400.0;       ///< N m s
 };
 
 /// What the water did to the hull this step.
 struct HullReading {
-  double volume = 0.0;        ///< m^3 under water
-  glm::dvec3 buoyancy{0.0};   ///< N, world
+  double volume = 0.0;       ///< m^3 under water
+  glm::dvec3 buoyancy{0.0};  ///< N, world
 };
 
 /// Buoyancy and Froude-Krylov forces from slices clipped by the local water surface, and damping

@@ -59,8 +59,8 @@ HalfSection half_section(const Station& s, double z) {
       half.push_back({s.half_beam * (1.0 - std::pow(depth, kExponent)), depth * s.keel_height});
     }
     for (const double up : {0.3, 0.65, 1.0}) {
-      half.push_back({s.half_beam + (s.deck_half_beam - s.half_beam) * std::pow(up, 0.5),
-                      up * s.deck_height});
+      half.push_back(
+          {s.half_beam + (s.deck_half_beam - s.half_beam) * std::pow(up, 0.5), up * s.deck_height});
     }
   } else {
     for (const double up : {0.1, 0.3, 0.65, 1.0}) {

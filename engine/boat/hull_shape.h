@@ -7,9 +7,9 @@ namespace offing {
 
 /// A slice of a hull across its length: one closed outline that stands for `thickness` metres.
 struct HullSection {
-  double z = 0.0;          ///< m, middle of the slice, boat frame (bow at -z)
-  double thickness = 0.0;  ///< m
-  double draught = 0.0;    ///< m below y = 0, for cross-flow
+  double z = 0.0;                   ///< m, middle of the slice, boat frame (bow at -z)
+  double thickness = 0.0;           ///< m
+  double draught = 0.0;             ///< m below y = 0, for cross-flow
   std::vector<glm::dvec2> outline;  ///< (x, y), counter-clockwise seen from astern
 };
 
@@ -30,8 +30,8 @@ struct HullLines {
   double beam = 2.5;
   double beam_waterline = 2.05;
   double freeboard = 0.85;
-  double midship_area = 0.4956;     ///< m^2, Cm BWL T: the slices below water are scaled to `volume`
-  double canoe_volume = 1.840;      ///< m^3 under the design waterline, without keel
+  double midship_area = 0.4956;  ///< m^2, Cm BWL T: the slices below water are scaled to `volume`
+  double canoe_volume = 1.840;   ///< m^3 under the design waterline, without keel
 };
 
 /// Sail-boat lines from coefficients: waterline breadth (1-u^2)^r with Cw = 0.68, sectional areas

@@ -86,8 +86,7 @@ Immersion immerse_heeled(const HullShape& shape, double heel, double height) {
     result.waterplane += plane;
     first_moment += plane * section.z;
     second_moment += plane * section.z * section.z;
-    result.transverse_inertia +=
-        section.thickness * wet.breadth * wet.breadth * wet.breadth / 12.0;
+    result.transverse_inertia += section.thickness * wet.breadth * wet.breadth * wet.breadth / 12.0;
   }
   if (result.volume > 0.0) result.centroid /= result.volume;
   if (result.waterplane > 0.0) {

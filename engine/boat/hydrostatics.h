@@ -11,10 +11,10 @@ inline constexpr double kAirDensity = 1.225;     ///< kg/m^3
 
 /// The part of an outline that is under water.
 struct WetSection {
-  double area = 0.0;          ///< m^2
-  glm::dvec2 centroid{0.0};   ///< m
-  double breadth = 0.0;       ///< m, of its waterline
-  double waterline_mid = 0.0; ///< x of the middle of that waterline, m
+  double area = 0.0;           ///< m^2
+  glm::dvec2 centroid{0.0};    ///< m
+  double breadth = 0.0;        ///< m, of its waterline
+  double waterline_mid = 0.0;  ///< x of the middle of that waterline, m
 };
 
 /// Clips an outline by the half-plane where the depth d0 + gradient . (x, y) is positive.
@@ -22,10 +22,10 @@ WetSection wet_section(const HullSection& section, double d0, glm::dvec2 gradien
 
 /// A hull in flat water.
 struct Immersion {
-  double volume = 0.0;            ///< m^3
-  glm::dvec3 centroid{0.0};       ///< of the volume, boat frame
-  double waterplane = 0.0;        ///< m^2
-  double flotation_z = 0.0;       ///< m, centre of the waterplane
+  double volume = 0.0;                ///< m^3
+  glm::dvec3 centroid{0.0};           ///< of the volume, boat frame
+  double waterplane = 0.0;            ///< m^2
+  double flotation_z = 0.0;           ///< m, centre of the waterplane
   double transverse_inertia = 0.0;    ///< m^4 of the waterplane about the centreline
   double longitudinal_inertia = 0.0;  ///< m^4 about the centre of flotation
 };

@@ -24,9 +24,11 @@ SteadySailing sail_steadily(const R8Parameters& parameters, double tws, double t
   double drift = 0.0;
   for (int w = 0; w < windows; ++w) {
     mean = SteadySailing{};
+    bool recovered = false;
     for (int i = 0; i < window; ++i) {
       boat.step(water, wind, dt * (w * window + i), dt);
       const Navigation& n = boat.navigation();
+      recovered = recovered || boat.recovering();
       // The course through the water is what lies at `twa`: the bow points higher by the leeway.
       drift += (std::clamp(n.leeway, -kMostDrift, kMostDrift) - drift) * (dt / kDriftTime);
       boat.hold_heading_at(-twa - drift);
@@ -38,8 +40,12 @@ SteadySailing sail_steadily(const R8Parameters& parameters, double tws, double t
       // Weather helm: she wants up, to the side of the wind; the rudder holds her off.
       mean.rudder -= side * boat.state().rudder_angle / window;
     }
+    if (recovered) {  // she had to bear away: there is no steady sailing on this course
+      mean.speed = mean.vmg = 0.0;
+    }
     mean.limit_hits = boat.limit_hits();
-    mean.settled = std::abs(mean.speed - last_speed) <= 0.002 * std::abs(mean.speed) + 1e-4;
+    mean.settled =
+        !recovered && std::abs(mean.speed - last_speed) <= 0.002 * std::abs(mean.speed) + 1e-4;
     if (mean.settled && w >= 3) break;
     last_speed = mean.speed;
   }

@@ -7,7 +7,8 @@ namespace offing {
 /// on along the last slope.
 double upright_resistance(double speed);
 
-/// What heel adds, N (Delft systematic yacht hull series: Keuning & Sonnenberg 1998), `heel` in rad.
+/// What heel adds, N (Delft systematic yacht hull series: Keuning & Sonnenberg 1998), `heel` in
+/// rad.
 double heeled_resistance(double speed, double heel);
 
 }  // namespace offing

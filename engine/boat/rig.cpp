@@ -72,16 +72,15 @@ double effective_height(double apparent_deg) {
 constexpr double kBestAttack = 22.0;  // degrees
 constexpr double kPlate = 1.4;        // normal force of a stalled sail
 
-/// The wind's turning moment on a boom at `boom`, per q A arm: the side the sail is pressed to. From
-/// ahead the boom streams; by the lee it stays on its stop until the wind has come some 25 degrees
-/// round the stern, because a sail's twist lets the head go first.
+/// The wind's turning moment on a boom at `boom`, per q A arm: the side the sail is pressed to.
+/// From ahead the boom streams; by the lee it stays on its stop until the wind has come some 25
+/// degrees round the stern, because a sail's twist lets the head go first.
 double boom_press(double attack, double boom) {
   constexpr double kTwist = 0.47;  // 1/rad
   const double side = boom < 0.0 ? -1.0 : 1.0;
   const double a = wrap_tau(side * attack);
   const double over = kPi - kTwist * boom * boom;  // attack at which it comes over
-  return side * (a < over ? std::sin(kPi * a / over)
-                          : -std::sin(kPi * (a - over) / (kTau - over)));
+  return side * (a < over ? std::sin(kPi * a / over) : -std::sin(kPi * (a - over) / (kTau - over)));
 }
 
 }  // namespace
@@ -97,7 +96,7 @@ SailReading sail_coefficients(bool jib, double angle, double sheeted, double sto
   double efficiency = std::sin(0.5 * kPi * std::min(a / kBestAttack, 1.0));
   const double past = smooth_step(kBestAttack, 55.0, a) * (1.0 - on_stop);
   efficiency *= 1.0 - 0.45 * past;
-  double lift = (jib ? jib_lift() : main_lift())(apparent) * efficiency;
+  double lift = (jib ? jib_lift() : main_lift())(apparent)*efficiency;
   if (apparent > 90.0) {
     // By the lee the table's lift would point the wrong way: it fades through dead aft.
     lift *= std::clamp(side * std::sin(angle) / std::sin(radians(10.0)), 0.0, 1.0);
@@ -119,8 +118,8 @@ SailReading sail_coefficients(bool jib, double angle, double sheeted, double sto
   reading.lift = side * lift;
   reading.drag = drag + profile * lift * lift;
   reading.stall = past;
-  reading.fill = side * std::clamp(std::hypot(lift, drag - 0.1) / 1.3, 0.0, 1.0) *
-                 (1.0 - reading.luff);
+  reading.fill =
+      side * std::clamp(std::hypot(lift, drag - 0.1) / 1.3, 0.0, 1.0) * (1.0 - reading.luff);
   return reading;
 }
 
@@ -144,16 +143,14 @@ RigReading Rig::add_loads(Loads& loads, const SailSet& set, const glm::dvec3& ce
   if (!set.hoisted || main_speed < 1e-6 || jib_speed < 1e-6) return reading;
   const double main_from = std::atan2(main_flow.x, main_flow.y);
   const double jib_from = std::atan2(jib_flow.x, jib_flow.y);
-  reading.main =
-      sail_coefficients(false, main_from, set.main_angle, p_.boom_stop, set.flat);
+  reading.main = sail_coefficients(false, main_from, set.main_angle, p_.boom_stop, set.flat);
   reading.jib = sail_coefficients(true, jib_from, set.jib_angle, p_.jib_stop, set.flat);
 
   const double size = set.reef * set.reef;
   const double main_area = p_.main_area * size, jib_area = p_.jib_area * size;
   const double area = main_area + jib_area;
   const double lift = (reading.main.lift * main_area + reading.jib.lift * jib_area) / area;
-  const double height =
-      effective_height(degrees(std::abs(main_from))) * p_.mast_top * set.reef;
+  const double height = effective_height(degrees(std::abs(main_from))) * p_.mast_top * set.reef;
   const double induced = lift * lift * area / (kPi * height * height);
 
   const auto push = [&](const SailReading& sail, glm::dvec2 flow, double speed, double sail_area,

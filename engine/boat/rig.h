@@ -12,16 +12,16 @@ struct RigParameters {
   double mast_top = 11.2;                    ///< m above the waterline
   double mast_z = -0.6;
   double main_height = 5.05, jib_height = 3.95;  ///< of the centres of effort
-  double main_chord = 1.45;  ///< from mast to the main's centre of effort
+  double main_chord = 1.45;                      ///< from mast to the main's centre of effort
   double jib_tack_z = -3.7;
-  double jib_chord = 1.9;    ///< from tack to the jib's centre of effort
-  double boom_inertia = 30.0;   ///< kg m^2 about the mast
-  double boom_damping = 2.6;    ///< 1/s
-  double boom_moment = 18.0;    ///< kg m: its weight times the arm
-  double boom_least = 0.052;    ///< rad, 3 degrees: sheeted hard in
-  double boom_stop = 1.4835;    ///< rad, 85 degrees: the shrouds
-  double jib_least = 0.157;     ///< rad, 9 degrees: its track is abeam of the mast
-  double jib_stop = 1.31;       ///< rad, 75 degrees
+  double jib_chord = 1.9;      ///< from tack to the jib's centre of effort
+  double boom_inertia = 30.0;  ///< kg m^2 about the mast
+  double boom_damping = 2.6;   ///< 1/s
+  double boom_moment = 18.0;   ///< kg m: its weight times the arm
+  double boom_least = 0.052;   ///< rad, 3 degrees: sheeted hard in
+  double boom_stop = 1.4835;   ///< rad, 85 degrees: the shrouds
+  double jib_least = 0.157;    ///< rad, 9 degrees: its track is abeam of the mast
+  double jib_stop = 1.31;      ///< rad, 75 degrees
 };
 
 /// How the sails are set now.
@@ -35,11 +35,11 @@ struct SailSet {
 
 /// One sail at work.
 struct SailReading {
-  double attack = 0.0;  ///< rad, flow against chord; positive pushes to starboard
+  double attack = 0.0;            ///< rad, flow against chord; positive pushes to starboard
   double lift = 0.0, drag = 0.0;  ///< coefficients, without the rig's induced drag
-  double fill = 0.0;    ///< -1 to 1: how hard and to which side the belly is pressed, + starboard
-  double luff = 0.0;    ///< 0 full to 1 shaking
-  double stall = 0.0;   ///< 0 attached to 1 stalled though it could be eased
+  double fill = 0.0;   ///< -1 to 1: how hard and to which side the belly is pressed, + starboard
+  double luff = 0.0;   ///< 0 full to 1 shaking
+  double stall = 0.0;  ///< 0 attached to 1 stalled though it could be eased
 };
 
 /// Both sails at work.

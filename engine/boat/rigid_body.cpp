@@ -56,8 +56,7 @@ int RigidBody::step(RigidBodyState& state, const Loads& loads, double dt) const 
   const glm::dmat3 matrix(glm::dvec3(total.x, spin.z, -spin.y),
                           glm::dvec3(-spin.z, total.y, spin.x),
                           glm::dvec3(spin.y, -spin.x, total.z));
-  glm::dvec3 acceleration =
-      glm::inverse(matrix) * (force - mass * glm::cross(rate, velocity));
+  glm::dvec3 acceleration = glm::inverse(matrix) * (force - mass * glm::cross(rate, velocity));
   const glm::dvec3 angular = inertia + added_inertia;
   glm::dvec3 angular_acceleration =
       (torque - glm::cross(rate, angular * rate)) / (angular + dt * angular_damping);
@@ -84,8 +83,7 @@ int RigidBody::step(RigidBodyState& state, const Loads& loads, double dt) const 
 double RigidBody::kinetic_energy(const RigidBodyState& state) const {
   const glm::dvec3 v = glm::conjugate(state.orientation) * state.velocity;
   const glm::dvec3 w = state.angular_velocity;
-  return 0.5 * (glm::dot((mass + added_mass) * v, v) +
-                glm::dot((inertia + added_inertia) * w, w));
+  return 0.5 * (glm::dot((mass + added_mass) * v, v) + glm::dot((inertia + added_inertia) * w, w));
 }
 
 }  // namespace offing

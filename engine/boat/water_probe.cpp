@@ -19,7 +19,7 @@ bool finite(const glm::dvec3& v) {
 
 void WaterProbe::reset() {
   started_ = false;
-  vertical_acceleration_ = 0.0;
+  vertical_acceleration_ = slope_energy_ = velocity_energy_ = 0.0;
   mean_velocity_ = mean_acceleration_ = glm::dvec3(0.0);
   good_.fill(WaterSample{});
 }
@@ -34,12 +34,12 @@ WaterSample WaterProbe::checked(const WaterSample& sample, int index) {
   const double speed = glm::length(result.velocity);
   if (speed > kMostSpeed) {
     // scaled in two steps: the square of an absurd number may overflow
-    result.velocity /= std::max({std::abs(result.velocity.x), std::abs(result.velocity.y),
-                                 std::abs(result.velocity.z)});
+    result.velocity /= std::max(
+        {std::abs(result.velocity.x), std::abs(result.velocity.y), std::abs(result.velocity.z)});
     result.velocity *= kMostSpeed / glm::length(result.velocity);
   }
-  const bool cut = speed > kMostSpeed || std::abs(result.height) > kMostHeight ||
-                   !(result.normal.y >= kLeastUp);
+  const bool cut =
+      speed > kMostSpeed || std::abs(result.height) > kMostHeight || !(result.normal.y >= kLeastUp);
   result.height = std::clamp(result.height, -kMostHeight, kMostHeight);
   if (!(result.normal.y >= kLeastUp)) result.normal = {0.0, 1.0, 0.0};
   if (cut) ++limits_;
@@ -95,13 +95,25 @@ void WaterProbe::sample(const HullShape& shape, const glm::dvec3& origin,
 
   if (started_) {
     constexpr double kSmoothing = 0.1;
-    const double raw = std::clamp((velocity.y - mean_velocity_.y) / dt, -0.6 * kGravity, 0.6 * kGravity);
+    const double raw =
+        std::clamp((velocity.y - mean_velocity_.y) / dt, -0.6 * kGravity, 0.6 * kGravity);
     vertical_acceleration_ += (raw - vertical_acceleration_) * (dt / (dt + kSmoothing));
   }
   started_ = true;
   mean_velocity_ = velocity;
+  constexpr double kMemory = 10.0;
+  const double weight = dt / (dt + kMemory);
+  slope_energy_ += (glm::dot(mean_slope_, mean_slope_) - slope_energy_) * weight;
+  velocity_energy_ += (glm::dot(velocity, velocity) - velocity_energy_) * weight;
   mean_acceleration_ = {-kGravity * mean_slope_.x, vertical_acceleration_,
                         -kGravity * mean_slope_.y};
+}
+
+double WaterProbe::left_at(double depth) const {
+  if (velocity_energy_ < 1e-9 || depth <= 0.0) return 1.0;
+  constexpr double kShortest = 3.0;  // 1/m: no wave shorter than 2 m moves a boat
+  const double k = std::min(kGravity * slope_energy_ / velocity_energy_, kShortest);
+  return std::exp(-k * depth);
 }
 
 const SliceWater& WaterProbe::at(const HullShape& shape, double z) const {

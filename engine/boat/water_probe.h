@@ -12,10 +12,10 @@ namespace offing {
 
 /// The water round one slice of a hull: a plane, and how the water moves.
 struct SliceWater {
-  glm::dvec3 centre{0.0};   ///< world; the point of the slice on the boat's long axis
-  double height = 0.0;      ///< m, of the water above `centre`'s horizontal place
-  glm::dvec2 slope{0.0};    ///< d height / d (x, z), world
-  glm::dvec3 velocity{0.0}; ///< m/s, world, orbital
+  glm::dvec3 centre{0.0};    ///< world; the point of the slice on the boat's long axis
+  double height = 0.0;       ///< m, of the water above `centre`'s horizontal place
+  glm::dvec2 slope{0.0};     ///< d height / d (x, z), world
+  glm::dvec3 velocity{0.0};  ///< m/s, world, orbital
 
   /// Height of the water above a world point.
   double above(const glm::dvec3& p) const {
@@ -46,6 +46,9 @@ class WaterProbe {
   /// Of the water along the hull, m/s^2: across from the slope (deep water: a = -g grad h), up from
   /// the change of its speed between steps, smoothed over 0.1 s.
   const glm::dvec3& mean_acceleration() const { return mean_acceleration_; }
+  /// How much of the surface's orbital motion is left at a depth (m): exp(-k depth) with the wave
+  /// number g <slope^2> / <velocity^2> of the last seconds, which is exact for one deep-water wave.
+  double left_at(double depth) const;
   /// How fast the surface turns about the boat's long axis, rad/s, positive lifts starboard.
   double roll_rate() const { return roll_rate_; }
   /// Samples replaced or cut since the start.
@@ -60,6 +63,7 @@ class WaterProbe {
   glm::dvec3 mean_velocity_{0.0}, mean_acceleration_{0.0};
   glm::dvec2 mean_slope_{0.0};
   double mean_height_ = 0.0, roll_rate_ = 0.0, vertical_acceleration_ = 0.0;
+  double slope_energy_ = 0.0, velocity_energy_ = 0.0;
   bool started_ = false;
   long limits_ = 0;
 };

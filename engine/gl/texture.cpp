@@ -115,6 +115,17 @@ std::vector<float> Texture::read_floats(int channels, int level) const {
   return values;
 }
 
+void Texture::blit_to_window(int width, int height) const {
+  GLuint source = 0;
+  glCreateFramebuffers(1, &source);
+  glNamedFramebufferTexture(source, GL_COLOR_ATTACHMENT0, id(), 0);
+  glBlitNamedFramebuffer(source, 0, 0, 0, desc_.width, desc_.height, 0, 0, width, height,
+                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glDeleteFramebuffers(1, &source);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, width, height);
+}
+
 void Texture::bind(GLuint unit) const { glBindTextureUnit(unit, id()); }
 
 void Texture::bind_image(GLuint unit, GLenum access, int level) const {

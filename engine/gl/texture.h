@@ -45,6 +45,9 @@ class Texture {
   /// All channels of one level as floats, row 0 first; synchronous: for tests and exports.
   std::vector<float> read_floats(int channels, int level = 0) const;
 
+  /// Copies level 0 to the window's framebuffer of this size, and leaves that bound.
+  void blit_to_window(int width, int height) const;
+
   void bind(GLuint unit) const;
   /// All layers at once, level `level`.
   void bind_image(GLuint unit, GLenum access, int level = 0) const;

@@ -139,7 +139,7 @@ SeaIds SeaMaps::add(FrameGraph& graph, double time) {
         columns_.use();
         const auto bits = std::bit_cast<std::uint64_t>(time);
         columns_.program().set(0, glm::ivec2(static_cast<std::int32_t>(bits & 0xffffffffu),
-                                          static_cast<std::int32_t>(bits >> 32)));
+                                             static_cast<std::int32_t>(bits >> 32)));
         glDispatchCompute(static_cast<GLuint>(size_ / 2), static_cast<GLuint>(cascades_), 1);
       });
 

@@ -27,7 +27,8 @@ std::vector<glm::dvec2> read_points(const std::filesystem::path& file) {
     }
     points.emplace_back(values[0], values[1]);
   }
-  if (points.empty()) throw InputError(fmt::format("{}: no points; write x,z per line", file.string()));
+  if (points.empty())
+    throw InputError(fmt::format("{}: no points; write x,z per line", file.string()));
   return points;
 }
 

@@ -22,13 +22,14 @@ void export_polar(const Scene&, const Options& options) {
     if (tws < 0.0 || tws > 60.0) throw InputError(fmt::format("--tws {}: must be 0 to 60 kn", tws));
   }
   for (const double twa : angles) {
-    if (twa < -180.0 || twa > 180.0) throw InputError(fmt::format("--twa {}: must be -180 to 180 deg", twa));
+    if (twa < -180.0 || twa > 180.0)
+      throw InputError(fmt::format("--twa {}: must be -180 to 180 deg", twa));
   }
   for (const double tws : speeds) {
     for (const double twa : angles) {
       const SteadySailing sailing = sail_steadily({}, metres_per_second(tws), radians(twa));
-      text += fmt::format("{},{},{:.4f},{:.3f},{:.3f}\n", tws, twa, knots(sailing.speed), degrees(sailing.heel),
-                          degrees(sailing.leeway));
+      text += fmt::format("{},{},{:.4f},{:.3f},{:.3f}\n", tws, twa, knots(sailing.speed),
+                          degrees(sailing.heel), degrees(sailing.leeway));
     }
   }
   write_text(options.out, text);
@@ -50,11 +51,13 @@ void export_boat(const Scene& start, const Options& options) {
     const BoatState& s = boat.state();
     const Navigation& n = boat.navigation();
     const BoatForces& f = boat.forces();
-    text += fmt::format("{:.6f},{:.5f},{:.5f},{:.5f},{:.4f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f},{:.4f},{:.3f},{:.3f},{:.3f}",
-                        static_cast<double>(step) * options.dt, s.position.x, s.position.y, s.position.z,
-                        degrees(wrap_tau(n.heading)), degrees(n.heel), degrees(n.pitch), s.velocity.x, s.velocity.y,
-                        s.velocity.z, knots(n.stw), degrees(s.boom_angle), degrees(s.jib_angle),
-                        degrees(s.rudder_angle));
+    text += fmt::format(
+        "{:.6f},{:.5f},{:.5f},{:.5f},{:.4f},{:.4f},{:.4f},{:.5f},{:.5f},{:.5f},{:.4f},{:.3f},{:.3f}"
+        ",{:.3f}",
+        static_cast<double>(step) * options.dt, s.position.x, s.position.y, s.position.z,
+        degrees(wrap_tau(n.heading)), degrees(n.heel), degrees(n.pitch), s.velocity.x, s.velocity.y,
+        s.velocity.z, knots(n.stw), degrees(s.boom_angle), degrees(s.jib_angle),
+        degrees(s.rudder_angle));
     for (const glm::dvec3& force : {f.buoyancy, f.sails, f.keel, f.rudder}) {
       text += fmt::format(",{:.2f},{:.2f},{:.2f}", force.x, force.y, force.z);
     }

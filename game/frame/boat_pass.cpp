@@ -34,25 +34,25 @@ constexpr float kRadius = 7.8f;
 
 const glm::vec3 kUp{0.0f, 1.0f, 0.0f};
 
-gl::Texture grey_texture(const char* label, const Image& image, float otherwise) {
+// One channel for each side of the cloth; a grey picture is the same from both.
+gl::Texture cloth_texture(const char* label, const Image& image, float otherwise) {
   const bool empty = image.pixels.empty();
   const int width = empty ? 1 : image.width, height = empty ? 1 : image.height;
-  gl::Texture texture(label, {.format = GL_R8,
+  gl::Texture texture(label, {.format = GL_RG8,
                               .width = width,
                               .height = height,
                               .levels = gl::full_mip_levels(width, height)});
-  std::vector<float> rows{otherwise};
-  if (!empty) {  // bottom row first, so that v grows toward the head
-    rows.clear();
-    const auto stride = static_cast<std::size_t>(image.width) * image.channels;
-    for (int y = height - 1; y >= 0; --y) {
-      for (std::size_t x = 0; x < stride; x += static_cast<std::size_t>(image.channels)) {
-        rows.push_back(image.pixels[static_cast<std::size_t>(y) * stride + x]);
-      }
+  std::vector<float> rows;
+  if (empty) rows = {otherwise, otherwise};
+  const auto channels = static_cast<std::size_t>(image.channels);
+  const auto stride = static_cast<std::size_t>(image.width) * channels;
+  for (int y = image.height - 1; y >= 0; --y) {  // bottom row first: v grows toward the head
+    for (std::size_t x = 0; x < stride; x += channels) {
+      const float* pixel = &image.pixels[static_cast<std::size_t>(y) * stride + x];
+      rows.insert(rows.end(), {pixel[0], pixel[channels >= 3 ? 1 : 0]});
     }
   }
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  texture.upload(GL_RED, GL_FLOAT, rows.data());
+  texture.upload(GL_RG, GL_FLOAT, rows.data());
   texture.generate_mipmaps();
   return texture;
 }
@@ -249,12 +249,12 @@ void BoatPass::build_cloth(const Model& model, const BoatTextures& textures) {
         cloth.rise = vertex.position.y / vertex.position.z;
     }
   }
-  cloth_[kMainsail].alpha = grey_texture("boat.main_alpha", textures.main_alpha, 1.0f);
-  cloth_[kMainsail].pattern = grey_texture("boat.main_pattern", textures.main_pattern, 0.0f);
-  cloth_[kJib].alpha = grey_texture("boat.jib_alpha", textures.jib_alpha, 1.0f);
-  cloth_[kJib].pattern = grey_texture("boat.jib_pattern", textures.jib_pattern, 0.0f);
-  cloth_[kFlag].alpha = grey_texture("boat.flag_alpha", textures.flag_alpha, 1.0f);
-  cloth_[kFlag].pattern = grey_texture("boat.flag_pattern", textures.flag_pattern, 0.0f);
+  cloth_[kMainsail].alpha = cloth_texture("boat.main_alpha", textures.main_alpha, 1.0f);
+  cloth_[kMainsail].pattern = cloth_texture("boat.main_pattern", textures.main_pattern, 0.0f);
+  cloth_[kJib].alpha = cloth_texture("boat.jib_alpha", textures.jib_alpha, 1.0f);
+  cloth_[kJib].pattern = cloth_texture("boat.jib_pattern", textures.jib_pattern, 0.0f);
+  cloth_[kFlag].alpha = cloth_texture("boat.flag_alpha", textures.flag_alpha, 1.0f);
+  cloth_[kFlag].pattern = cloth_texture("boat.flag_pattern", textures.flag_pattern, 0.0f);
 
   cloth_vertices_ = gl::Buffer::of<ClothVertex>("boat.cloth_vertices", vertices);
   cloth_indices_ = gl::Buffer::of<std::uint32_t>("boat.cloth_indices", indices);

@@ -23,8 +23,8 @@ namespace offing {
 inline constexpr std::array<std::string_view, 8> kBoatNodeNames = {
     "hull", "deck", "mast", "boom", "mainsail", "jib", "rudder", "flag"};
 
-/// Grey pictures of the cloth, luff on the left and head at the top. An empty one is white (alpha)
-/// or black (pattern).
+/// Pictures of the cloth, luff on the left and head at the top: grey, or red for its port and green
+/// for its starboard side. An empty one is white (alpha) or black (pattern).
 struct BoatTextures {
   Image main_alpha, main_pattern, jib_alpha, jib_pattern, flag_alpha, flag_pattern;
 };

@@ -29,7 +29,8 @@ BoatView boat_view(const World& world, glm::dvec3 camera, const SkyLight& light)
   view.apparent_wind = glm::vec3(state.apparent_wind);
   // Lamps are lit when the light fails: from about sunset on, in full when 10 lx are left.
   const double lux = std::max(light.level_illuminance(), 1e-6);
-  view.navigation_lights = static_cast<float>(std::clamp(std::log(400.0 / lux) / std::log(40.0), 0.0, 1.0));
+  view.navigation_lights =
+      static_cast<float>(std::clamp(std::log(400.0 / lux) / std::log(40.0), 0.0, 1.0));
   return view;
 }
 
@@ -63,13 +64,15 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
   view.boat = boat_view(world, pose.position, view.light);
 
   const double aspect = static_cast<double>(size.x) / size.y;
-  const glm::mat4 clip_from_view = reversed_projection(world.camera().field_of_view(), aspect, kNear);
+  const glm::mat4 clip_from_view =
+      reversed_projection(world.camera().field_of_view(), aspect, kNear);
   const glm::mat4 view_from_relative = glm::mat4_cast(glm::quat(glm::conjugate(pose.orientation)));
   shared::FrameData& frame = view.frame;
   frame.clip_from_relative = clip_from_view * view_from_relative;
   frame.relative_from_clip =
       glm::mat4(glm::inverse(glm::dmat4(clip_from_view) * glm::dmat4(view_from_relative)));
-  frame.viewport = {size.x, size.y, 1.0f / static_cast<float>(size.x), 1.0f / static_cast<float>(size.y)};
+  frame.viewport = {size.x, size.y, 1.0f / static_cast<float>(size.x),
+                    1.0f / static_cast<float>(size.y)};
   const double pixel_angle = 2.0 * std::tan(0.5 * world.camera().field_of_view()) / size.y;
   frame.camera = {0.0f, pose.position.y, 0.0f, pixel_angle};
   const glm::dvec2 wind = environment.wind_velocity();

@@ -10,7 +10,8 @@ struct Quality {
   int sea_size;  ///< FFT points per side of a cascade
 };
 
-/// low, medium, high or ultra; anything else (`auto`) is low on a software renderer and high elsewhere.
+/// low, medium, high or ultra; anything else (`auto`) is low on a software renderer and high
+/// elsewhere.
 Quality quality_named(std::string_view name, bool software);
 
 }  // namespace offing

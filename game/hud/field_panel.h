@@ -6,7 +6,7 @@
 namespace offing {
 
 /// A slider, box or list for every field whose key begins with `prefix`, made from the field table
-/// alone. Returns true if the user changed any.
-bool draw_fields(const FieldTable& table, std::string_view prefix);
+/// alone.
+void draw_fields(const FieldTable& table, std::string_view prefix);
 
 }  // namespace offing

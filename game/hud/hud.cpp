@@ -50,8 +50,7 @@ void draw_times(const HudInfo& info) {
   ImGui::EndTable();
 }
 
-bool draw_panel(World& world, const HudInfo& info) {
-  bool sea_changed = false;
+void draw_panel(World& world, const HudInfo& info) {
   const float height = ImGui::GetIO().DisplaySize.y;
   ImGui::SetNextWindowPos({12.0f, 12.0f}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSize({390.0f, std::max(120.0f, height - 24.0f)}, ImGuiCond_FirstUseEver);
@@ -59,16 +58,16 @@ bool draw_panel(World& world, const HudInfo& info) {
   const FieldTable table = world.scene().fields();
   draw_clock(world.environment());
   if (ImGui::CollapsingHeader("wind and weather", ImGuiTreeNodeFlags_DefaultOpen)) {
-    sea_changed |= draw_fields(table, "environment.wind.");
+    draw_fields(table, "environment.wind.");
     draw_fields(table, "environment.gusts");
     draw_fields(table, "environment.haze");
     draw_fields(table, "environment.clock_rate");
   }
   if (ImGui::CollapsingHeader("sea", ImGuiTreeNodeFlags_DefaultOpen)) {
-    sea_changed |= draw_fields(table, "sea.s");
-    sea_changed |= draw_fields(table, "sea.fetch");
-    sea_changed |= draw_fields(table, "sea.depth");
-    sea_changed |= draw_fields(table, "sea.choppiness");
+    for (const char* prefix : {"sea.spectrum", "sea.spreading", "sea.fetch", "sea.depth",
+                               "sea.choppiness", "sea.swell."}) {
+      draw_fields(table, prefix);
+    }
     ImGui::TextDisabled("Hs %.2f m, Tp %.1f s", info.hs, info.tp);
   }
   if (ImGui::CollapsingHeader("frame", ImGuiTreeNodeFlags_DefaultOpen)) {
@@ -78,7 +77,6 @@ bool draw_panel(World& world, const HudInfo& info) {
     draw_times(info);
   }
   ImGui::End();
-  return sea_changed;
 }
 
 constexpr ImGuiWindowFlags kMiddle = ImGuiWindowFlags_NoCollapse |
@@ -127,16 +125,14 @@ void draw_shader_error(const std::string& error) {
 
 }  // namespace
 
-bool draw_hud(HudState& state, World& world, const HudInfo& info) {
-  bool sea_changed = false;
+void draw_hud(HudState& state, World& world, const HudInfo& info) {
   if (!state.hidden) {
     draw_instruments(world);
-    if (state.panel) sea_changed = draw_panel(world, info);
+    if (state.panel) draw_panel(world, info);
     if (state.help) draw_help(state);
   }
   if (state.menu) draw_menu(state, world);
   if (!info.shader_error.empty()) draw_shader_error(info.shader_error);
-  return sea_changed;
 }
 
 }  // namespace offing

@@ -28,7 +28,7 @@ struct HudInfo {
 };
 
 /// Draws instruments, panels, menu and help for this frame, between ImGuiLayer::begin_frame() and
-/// end_frame(). Sliders change the world's scene. Returns true if the sea state was changed.
-bool draw_hud(HudState& state, World& world, const HudInfo& info);
+/// end_frame(). Sliders change the world's scene.
+void draw_hud(HudState& state, World& world, const HudInfo& info);
 
 }  // namespace offing

@@ -8,6 +8,8 @@
 namespace offing {
 namespace {
 
+constexpr double kOffTheQuarter = -0.35;  // rad: the chase camera sees the sails, not their edges
+
 // World from camera for a look along `heading` (from north, clockwise) and `pitch` (up positive).
 glm::dquat level_look(double heading, double pitch) {
   return glm::angleAxis(-heading, glm::dvec3(0.0, 1.0, 0.0)) *
@@ -79,7 +81,7 @@ void Camera::update(const CameraSubject& subject, double dt) {
     case CameraMode::kChase:
     case CameraMode::kOrbit: {
       const bool orbit = mode_ == CameraMode::kOrbit;
-      const double around = (orbit ? 2.4 : followed_heading_) + turned;
+      const double around = orbit ? 2.4 + turned : followed_heading_ + kOffTheQuarter + turned;
       const double down = std::clamp((orbit ? -0.22 : -0.20) + pitch_, -1.45, 0.25);
       const double radius = (orbit ? 19.0 : 17.0) * distance_;
       const glm::dvec3 centre(subject.position.x, followed_height_ + 3.4, subject.position.z);

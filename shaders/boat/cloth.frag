@@ -5,7 +5,7 @@
 #include "boat/light.glsl"
 
 layout(binding = 0) uniform sampler2D alpha_picture;
-layout(binding = 1) uniform sampler2D pattern_picture;
+layout(binding = 1) uniform sampler2D pattern_picture;  // r: seen from port, g: from starboard
 
 in Surface {
   vec3 relative;
@@ -25,14 +25,16 @@ float faced(vec3 n, vec3 l, float through) {
 void main() {
   if (texture(alpha_picture, surface.uv).r < 0.5) discard;
   float through = cloth.colour_a.w;
-  vec3 base = mix(cloth.colour_a.rgb, cloth.colour_b.rgb, texture(pattern_picture, surface.uv).r);
+  vec2 pattern = texture(pattern_picture, surface.uv).rg;
+  vec3 base = mix(cloth.colour_a.rgb, cloth.colour_b.rgb, gl_FrontFacing ? pattern.g : pattern.r);
   vec3 n = normalize(surface.normal);
   n = dot(n, surface.relative) > 0.0 ? -n : n;
   mat3 boat_from_world = transpose(mat3(boat.relative_from_boat));
-  float sun = sail_shade(surface.in_boat, boat_from_world * frame.sun_direction.xyz,
-                         int(cloth.colour_b.w));
-  vec3 light = sun * frame.sun_illuminance.rgb * faced(n, frame.sun_direction.xyz, through) +
-               frame.moon_illuminance.rgb * faced(n, frame.moon_direction.xyz, through) +
-               ambient_illuminance(n) * (1.0 - through) + ambient_illuminance(-n) * through;
+  vec3 light = ambient_illuminance(n) * (1.0 - through) + ambient_illuminance(-n) * through;
+  for (int i = first_light(); i < last_light(); ++i) {
+    vec3 l = light_direction(i);
+    light += light_illuminance(i) * faced(n, l, through) *
+             sail_shade(surface.in_boat, boat_from_world * l, int(cloth.colour_b.w));
+  }
   radiance = vec4(min(base / kPi * light * frame.time.z, vec3(6.0e4)), 1.0);
 }

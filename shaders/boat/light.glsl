@@ -39,3 +39,12 @@ vec3 ambient_illuminance(vec3 normal) {
   float up = 0.5 + 0.5 * normal.y;
   return sky * up + kSeaAlbedo * down * (1.0 - up);
 }
+
+// Light 0 is the sun, light 1 the moon. Only those that count are gone through: by day the moon does
+// not, by night the sun does not. (Bounds of a loop save work where a branch would not.)
+int first_light() { return frame.sun_illuminance.g > 0.0 ? 0 : 1; }
+int last_light() {
+  return frame.moon_illuminance.g > 1.0e-3 * frame.sun_illuminance.g ? 2 : 1;
+}
+vec3 light_direction(int i) { return i == 0 ? frame.sun_direction.xyz : frame.moon_direction.xyz; }
+vec3 light_illuminance(int i) { return i == 0 ? frame.sun_illuminance.rgb : frame.moon_illuminance.rgb; }

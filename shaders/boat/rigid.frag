@@ -40,9 +40,12 @@ void main() {
   vec3 v = -normalize(surface.relative);
   mat3 boat_from_world = transpose(mat3(boat.relative_from_boat));
 
-  float sun = sail_shade(surface.in_boat, boat_from_world * frame.sun_direction.xyz, -1);
-  vec3 sum = sun * frame.sun_illuminance.rgb * reflected(n, v, frame.sun_direction.xyz, diffuse, f0, alpha);
-  sum += frame.moon_illuminance.rgb * reflected(n, v, frame.moon_direction.xyz, diffuse, f0, alpha);
+  vec3 sum = vec3(0.0);
+  for (int i = first_light(); i < last_light(); ++i) {
+    vec3 l = light_direction(i);
+    sum += light_illuminance(i) * sail_shade(surface.in_boat, boat_from_world * l, -1) *
+           reflected(n, v, l, diffuse, f0, alpha);
+  }
 
   // Sky and sea: diffuse from the hemisphere about the normal, glossy from the one about the mirror
   // direction, which sharpens toward the horizon with the gloss.

@@ -29,6 +29,18 @@ vec2 unit_phase(double turns) {
   return (quarter & 2) != 0 ? -p : p;
 }
 
+// What the transform of a field has at index n of this column.
+vec2 field_amplitude(int field, vec4 grid, float nx, int n) {
+  float nz = float(n < kPoints / 2 ? n : n - kPoints);
+  vec2 k = vec2(grid.x * nx - grid.y * nz, grid.y * nx + grid.x * nz);
+  vec2 u = grid.z * k * inversesqrt(max(dot(k, k), 1.0e-20));
+  vec2 factor = field == 0 ? vec2(0.0, 1.0 + u.x)
+              : field == 1 ? vec2(0.0, u.y * (1.0 - k.x))
+              : field == 2 ? vec2(-k.y, k.x)
+                           : vec2(-k.x * u.x, -k.y * u.y);
+  return times(factor, amplitude[stored(n)]);
+}
+
 void main() {
   int column = int(gl_WorkGroupID.x), cascade = int(gl_WorkGroupID.y);
   int x = column < kPoints / 4 ? column : column + kPoints / 2;
@@ -51,19 +63,9 @@ void main() {
   float nx = float(x < kPoints / 2 ? x : x - kPoints);
   for (int item = int(gl_LocalInvocationIndex); item < kFields * RADIX_B; item += kThreads) {
     int field = item / RADIX_B, n2 = item % RADIX_B;
-    for (int n1 = 0; n1 < RADIX_A; ++n1) {
-      if (n1 >= RADIX_A / 4 && n1 < 3 * RADIX_A / 4) continue;
-      int n = RADIX_B * n1 + n2;
-      vec2 h = amplitude[stored(n)];
-      float nz = float(n < kPoints / 2 ? n : n - kPoints);
-      vec2 k = vec2(grid.x * nx - grid.y * nz, grid.y * nx + grid.x * nz);
-      vec2 u = grid.z * k * inversesqrt(max(dot(k, k), 1.0e-20));
-      vec2 factor = field == 0 ? vec2(0.0, 1.0 + u.x)
-                  : field == 1 ? vec2(0.0, u.y * (1.0 - k.x))
-                  : field == 2 ? vec2(-k.y, k.x)
-                               : vec2(-k.x * u.x, -k.y * u.y);
-      v[n1] = times(factor, h);
-    }
+#define LOAD(n1) v[n1] = field_amplitude(field, grid, nx, RADIX_B * (n1) + n2);
+    EACH_OUTER_A(LOAD)
+#undef LOAD
     first_step(field, n2);
   }
   barrier();
@@ -71,8 +73,7 @@ void main() {
     int field = item / RADIX_A, k1 = item % RADIX_A;
     second_step(field, k1);
     int place = (cascade * kFields + field) * kPoints * kStored + column;
-    for (int k2 = 0; k2 < RADIX_B; ++k2) {
-      work[place + (k1 + RADIX_A * k2) * kStored] = v[SLOT_B(k2)];
-    }
+#define STORE(k2) work[place + (k1 + RADIX_A * (k2)) * kStored] = v[SLOT_B(k2)];
+    EACH_B(STORE)
   }
 }

@@ -15,6 +15,29 @@ shared vec2 exchange[kFields * RADIX_A * kPitch];
 
 vec2 v[RADIX_A > RADIX_B ? RADIX_A : RADIX_B];
 
+// Written-out loops: v[] must only see constant indices, or it does not stay in registers.
+#define EACH_4(f, o) f(o) f(o + 1) f(o + 2) f(o + 3)
+#define EACH_8(f, o) EACH_4(f, o) EACH_4(f, o + 4)
+#define EACH_16(f, o) EACH_8(f, o) EACH_8(f, o + 8)
+#if RADIX_A == 8
+#define EACH_A(f) EACH_8(f, 0)
+#define EACH_OUTER_A(f) f(0) f(1) f(6) f(7)
+#define EACH_INNER_A(f) EACH_4(f, 2)
+#elif RADIX_A == 16
+#define EACH_A(f) EACH_16(f, 0)
+#define EACH_OUTER_A(f) EACH_4(f, 0) EACH_4(f, 12)
+#define EACH_INNER_A(f) EACH_8(f, 4)
+#else
+#define EACH_A(f) EACH_16(f, 0) EACH_16(f, 16)
+#define EACH_OUTER_A(f) EACH_8(f, 0) EACH_8(f, 24)
+#define EACH_INNER_A(f) EACH_16(f, 8)
+#endif
+#if RADIX_B == 8
+#define EACH_B(f) EACH_8(f, 0)
+#else
+#define EACH_B(f) EACH_16(f, 0)
+#endif
+
 vec2 times(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x); }
 vec2 times_i(vec2 a) { return vec2(-a.y, a.x); }
 
@@ -37,11 +60,9 @@ vec2 w16_9(vec2 a) { return times(a, vec2(-kC1, -kS1)); }
 
 // Results lie in v[] at slot16(k), slot8(k), slot32(k).
 void dft8() {
-  for (int n = 0; n < 4; ++n) {
-    vec2 a = v[n], b = v[n + 4];
-    v[n] = a + b;
-    v[n + 4] = a - b;
-  }
+#define STEP(n) { vec2 a = v[n], b = v[n + 4]; v[n] = a + b; v[n + 4] = a - b; }
+  EACH_4(STEP, 0)
+#undef STEP
   v[5] = w16_2(v[5]);
   v[6] = times_i(v[6]);
   v[7] = w16_6(v[7]);
@@ -84,11 +105,10 @@ void dft32() {
       vec2(-0.55557023301960196, 0.83146961230254546), vec2(-kH, kH),
       vec2(-0.83146961230254535, 0.55557023301960218), vec2(-kC1, kS1),
       vec2(-0.98078528040323043, 0.19509032201612861));
-  for (int n = 0; n < 16; ++n) {
-    vec2 a = v[n], b = v[n + 16];
-    v[n] = a + b;
-    v[n + 16] = times(a - b, w32[n]);
-  }
+#define STEP(n) \
+  { vec2 a = v[n], b = v[n + 16]; v[n] = a + b; v[n + 16] = times(a - b, w32[n]); }
+  EACH_16(STEP, 0)
+#undef STEP
   dft16(0);
   dft16(16);
 }
@@ -116,15 +136,20 @@ int slot32(int k) { return 16 * (k & 1) + slot16(k >> 1); }
 // The two steps around the exchange; a caller loads v[n1], n1 outside [A/4, 3A/4), for its n2, and
 // takes X[k1 + A k2] from v[SLOT_B(k2)] for its k1.
 void first_step(int field, int n2) {
-  for (int n1 = RADIX_A / 4; n1 < 3 * RADIX_A / 4; ++n1) v[n1] = vec2(0.0);
+#define CLEAR(n1) v[n1] = vec2(0.0);
+#define STORE(k1) \
+  exchange[(field * RADIX_A + k1) * kPitch + n2] = times(v[SLOT_A(k1)], twiddles[n2 * (k1)]);
+  EACH_INNER_A(CLEAR)
   DFT_A();
-  for (int k1 = 0; k1 < RADIX_A; ++k1) {
-    exchange[(field * RADIX_A + k1) * kPitch + n2] = times(v[SLOT_A(k1)], twiddles[n2 * k1]);
-  }
+  EACH_A(STORE)
+#undef CLEAR
+#undef STORE
 }
 void second_step(int field, int k1) {
-  for (int n2 = 0; n2 < RADIX_B; ++n2) v[n2] = exchange[(field * RADIX_A + k1) * kPitch + n2];
+#define LOAD(n2) v[n2] = exchange[(field * RADIX_A + k1) * kPitch + n2];
+  EACH_B(LOAD)
   DFT_B();
+#undef LOAD
 }
 
 // Where a grid index with waves is stored: 0 … N/4-1 and 3N/4 … N-1 side by side.

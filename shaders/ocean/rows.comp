@@ -12,10 +12,8 @@ void main() {
   for (int item = int(gl_LocalInvocationIndex); item < kFields * RADIX_B; item += kThreads) {
     int field = item / RADIX_B, n2 = item % RADIX_B;
     int row = ((cascade * kFields + field) * kPoints + z) * kStored;
-    for (int n1 = 0; n1 < RADIX_A; ++n1) {
-      if (n1 >= RADIX_A / 4 && n1 < 3 * RADIX_A / 4) continue;
-      v[n1] = work[row + stored(RADIX_B * n1 + n2)];
-    }
+#define LOAD(n1) v[n1] = work[row + stored(RADIX_B * (n1) + n2)];
+    EACH_OUTER_A(LOAD)
     first_step(field, n2);
   }
   barrier();
@@ -23,9 +21,8 @@ void main() {
     int field = item / RADIX_A, k1 = item % RADIX_A;
     second_step(field, k1);
     // Into the same places of the exchange that this item has just read.
-    for (int k2 = 0; k2 < RADIX_B; ++k2) {
-      exchange[(field * RADIX_A + k1) * kPitch + k2] = v[SLOT_B(k2)];
-    }
+#define STORE(k2) exchange[(field * RADIX_A + k1) * kPitch + (k2)] = v[SLOT_B(k2)];
+    EACH_B(STORE)
   }
   barrier();
   for (int x = int(gl_LocalInvocationIndex); x < kPoints; x += kThreads) {

@@ -468,7 +468,7 @@ def make_mast(node):
         for side in (-1, 1):
             tip = (side * span, y + 0.05, 0.20)
             sweep(part, [(side * 0.04, y, 0.0), tip],
-                  [(-0.045, 0.0), (0.0, 0.011), (0.045, 0.0), (0.0, -0.011)])
+                  [(-0.028, 0.0), (0.0, -0.010), (0.028, 0.0), (0.0, 0.010)])
     # Crane with the backstay's fork, masthead light, wind vane and aerial.
     box(part, (-0.012, MAST_TOP - 0.05, -0.02), (0.012, MAST_TOP + 0.005, 0.20))
     lathe(node.part("light_stern"), (0, MAST_TOP, 0.02), [(0.022, 0.0), (0.024, 0.06), (0.0, 0.075)], 10)
@@ -656,11 +656,11 @@ def material(name, colour, roughness, metallic=0.0, **extra):
 MATERIALS = [
     material("topsides", (0.83, 0.82, 0.78), 0.22),
     material("boot", (0.010, 0.020, 0.060), 0.25),
-    material("antifouling", (0.235, 0.030, 0.026), 0.75),
+    material("antifouling", (0.190, 0.028, 0.024), 0.75),
     material("gelcoat", (0.78, 0.76, 0.70), 0.42),
     material("teak", (1.0, 1.0, 1.0), 0.72, textured=True),
-    material("varnish", (0.230, 0.070, 0.020), 0.20),
-    material("aluminium", (0.70, 0.71, 0.72), 0.38, 1.0),
+    material("varnish", (0.165, 0.048, 0.016), 0.20),
+    material("aluminium", (0.66, 0.67, 0.68), 0.40, 0.35),
     material("steel", (0.66, 0.66, 0.67), 0.24, 1.0),
     material("wire", (0.60, 0.60, 0.61), 0.40, 1.0),
     material("window", (0.010, 0.012, 0.016), 0.08),

@@ -1,0 +1,207 @@
+#include "engine/ocean/ocean.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/random.h"
+#include "engine/ocean/foam_pattern.h"
+#include "shaders/shared/ocean.h"
+
+#define OFFING_GLSL "shaders/lib/water.glsl"
+#include "engine/core/glsl_double.h"
+
+namespace offing {
+namespace {
+
+constexpr GLuint kBlockBinding = 2;
+constexpr std::size_t kMaxSquares = 8192;
+constexpr double kFoamLength = 9.7;  // m; no multiple of a cascade's length
+
+/// x with normal_below(x) = share.
+double normal_quantile(double share) {
+  double low = -8.0, high = 8.0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (0.5 * std::erfc(-middle / std::sqrt(2.0)) < share ? low : high) = middle;
+  }
+  return low;
+}
+
+double fraction(double x) { return x - std::floor(x); }
+
+glm::vec4 to_vec4(const SlopeVariance& v) {
+  return glm::vec4(glm::dvec4(v.xx, v.zz, v.xz, v.total()));
+}
+
+}  // namespace
+
+OceanSettings OceanSettings::of_quality(int quality) {
+  OceanSettings settings;
+  settings.size = quality <= 0 ? 128 : 256;
+  settings.mesh_cells = quality <= 0 ? 8 : quality == 1 ? 14 : quality == 2 ? 22 : 32;
+  settings.cascades = quality >= 3 ? 4 : 3;
+  return settings;
+}
+
+Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
+    : settings_(settings),
+      maps_(shaders, settings.cascades, settings.size),
+      readback_(std::min(settings.readback_cascades, settings.cascades), settings.size),
+      mesh_{.cells = settings.mesh_cells, .finest_spacing = 2.0 / settings.mesh_cells},
+      surface_(shaders.program({"ocean/surface.vert", "ocean/surface.frag"},
+                               {{"MORPH", std::to_string(SeaMesh::kMorph)},
+                                {"FOOTPRINT_RATIO", settings.mesh_cells <= 8 ? "3.0" : "4.0"}})),
+      squares_("sea.squares", kMaxSquares * sizeof(SeaMesh::Square)),
+      block_("sea.block", sizeof(shared::OceanData)),
+      array_("sea.mesh"),
+      map_sampler_("sea.map", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
+      foam_sampler_("sea.foam", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
+      foam_(make_foam_pattern(256)) {
+  make_grid();
+}
+
+void Ocean::make_grid() {
+  const int n = settings_.mesh_cells;
+  std::vector<float> corners;
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i <= n; ++i) {
+      corners.push_back(static_cast<float>(i));
+      corners.push_back(static_cast<float>(j));
+    }
+  }
+  std::vector<std::uint32_t> indices;
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) {
+      const auto a = static_cast<std::uint32_t>(j * (n + 1) + i);
+      const auto b = a + 1, c = a + static_cast<std::uint32_t>(n) + 1, d = c + 1;
+      indices.insert(indices.end(), {a, c, b, b, c, d});
+    }
+  }
+  vertices_ = gl::Buffer::of<float>("sea.corners", corners);
+  indices_ = gl::Buffer::of<std::uint32_t>("sea.indices", indices);
+  index_count_ = static_cast<int>(indices.size());
+  array_.attribute(0, 2, vertices_.id(), 2 * sizeof(float), 0);
+  array_.attribute(1, 4, squares_.id(), sizeof(SeaMesh::Square), 0);
+  glVertexArrayBindingDivisor(array_.id(), 1, 1);
+  array_.index_buffer(indices_.id());
+}
+
+void Ocean::set_sea(const SeaState& state, const Environment& environment, std::uint64_t seed) {
+  const glm::dvec2 to = environment.wind_to();
+  const double speed = environment.wind.speed;
+  const std::uint64_t key =
+      hash_of(state.spectrum, state.spreading, state.fetch_km, state.depth_m, state.choppiness,
+              state.swell.height, state.swell.period, state.swell.from_deg, speed, to, seed);
+  if (!cascades_.empty() && key == sea_key_) return;
+  sea_key_ = key;
+
+  const SeaSpectrum spectrum(state, speed, to);
+  const auto bands = choose_bands(spectrum, settings_.cascades, settings_.size);
+  cascades_.clear();
+  SlopeVariance carried;
+  for (std::size_t c = 0; c < bands.size(); ++c) {
+    cascades_.push_back(
+        make_cascade(spectrum, bands[c], settings_.size, seed, static_cast<int>(c)));
+    carried += cascades_.back().resolved[0];
+  }
+  statistics_ = spectrum.statistics();
+  choppiness_ = state.choppiness;
+  white_share_ = glsl::whitecap_share(speed);
+  // Ripples that no cascade carries: what Cox and Munk saw beyond the waves we have.
+  slope_variance_ = cox_munk(speed, to);
+  slope_variance_.xx = std::max(slope_variance_.xx, carried.xx + 5e-4);
+  slope_variance_.zz = std::max(slope_variance_.zz, carried.zz + 5e-4);
+  maps_.set_waves(cascades_, choppiness_);
+  readback_.set_waves(cascades_);
+}
+
+double Ocean::carried_variance() const {
+  double sum = 0.0;
+  for (const Cascade& cascade : cascades_) sum += cascade.variance;
+  return sum;
+}
+
+SeaIds Ocean::add_maps(FrameGraph& graph, double time, bool readback) {
+  const SeaIds ids = maps_.add(graph, time);
+  readback_.collect();
+  if (readback) readback_.add_copy(graph, ids, time);
+  return ids;
+}
+
+void Ocean::update_block(const OceanView& view) {
+  shared::OceanData data{};
+  double carried = 0.0;
+  for (std::size_t c = 0; c < cascades_.size(); ++c) {
+    const Cascade& cascade = cascades_[c];
+    const double x = std::cos(cascade.band.angle) / cascade.band.length;
+    const double z = std::sin(cascade.band.angle) / cascade.band.length;
+    const double point = cascade.band.length / cascade.size;
+    data.grid[c] = glm::vec4(glm::dvec4(x, z, std::log2(point), 0.0));
+    // Map points lie at whole indices: shift by half a texel. Whole periods are dropped in double.
+    const double half = 0.5 / cascade.size;
+    data.origin[c] = glm::vec4(glm::dvec4(fraction(x * view.eye.x + z * view.eye.y + half),
+                                          fraction(x * view.eye.y - z * view.eye.x + half), 0, 0));
+    for (int level = 0; level < shared::kOceanMapLevels; ++level) {
+      data.resolved[c * shared::kOceanMapLevels + static_cast<std::size_t>(level)] =
+          to_vec4(cascade.resolved[level]);
+    }
+    carried += cascade.resolved[0].total();
+  }
+  data.variance = to_vec4(slope_variance_);
+  // The Jacobian is 1 + Dxx + Dzz to first order: normal with variance c^2 <|slope|^2>.
+  const double deviation = choppiness_ * std::sqrt(carried);
+  const double quantile = normal_quantile(std::clamp(white_share_, 1e-9, 0.5));
+  data.foam = glm::vec4(glm::dvec4(std::min(1.0 + quantile * deviation, 0.9),
+                                   choppiness_ * choppiness_, carried, white_share_));
+  data.foam_grid = glm::vec4(glm::dvec4(fraction(view.eye.x / kFoamLength),
+                                        fraction(view.eye.y / kFoamLength), 1.0 / kFoamLength, 0));
+  data.water = glm::vec4(glm::dvec4(statistics_.hs, settings_.cascades,
+                                    SeaMesh::kReach * settings_.mesh_cells, mesh_.finest_spacing));
+  block_.write(data);
+}
+
+void Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
+                     const SkyAccess& sky, TextureId hdr, TextureId depth, bool visible) {
+  std::vector<SeaMesh::Square> squares;
+  if (visible) {
+    squares = mesh_.select(view.eye, view.eye_height, 1.2 * statistics_.hs + 0.1,
+                           view.clip_from_relative);
+    if (squares.size() > kMaxSquares) squares.resize(kMaxSquares);
+  }
+  const int cells = settings_.mesh_cells;
+  drawn_vertices_ = static_cast<int>(squares.size()) * (cells + 1) * (cells + 1);
+  graph.add(
+      "sea.draw",
+      [&](PassBuilder& pass) {
+        pass.read(sea.displacement).read(sea.slopes);
+        sky.declare(pass);
+        pass.modify(hdr).modify(depth).render_to({hdr}, depth);
+        pass.skip_if(!visible || squares.empty());
+      },
+      [this, view, sea, bind_sky = sky.bind,
+       squares = std::move(squares)](const PassContext& context) {
+        update_block(view);
+        squares_.write(squares.data(), squares.size() * sizeof(SeaMesh::Square));
+        context.texture(sea.displacement).bind(0);
+        context.texture(sea.slopes).bind(1);
+        foam_.bind(2);
+        map_sampler_.bind(0);
+        map_sampler_.bind(1);
+        foam_sampler_.bind(2);
+        block_.bind_uniform(kBlockBinding);
+        bind_sky(context);
+        surface_.use();
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_GREATER);
+        glDepthMask(GL_TRUE);
+        glDisable(GL_CULL_FACE);
+        glDisable(GL_BLEND);
+        array_.bind();
+        glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr,
+                                static_cast<GLsizei>(squares.size()));
+        glDisable(GL_DEPTH_TEST);
+        for (const GLuint unit : {0u, 1u, 2u}) glBindSampler(unit, 0);
+      });
+}
+
+}  // namespace offing

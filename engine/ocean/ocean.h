@@ -1,0 +1,102 @@
+#pragma once
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "engine/environment/environment.h"
+#include "engine/gl/program.h"
+#include "engine/graph/frame_graph.h"
+#include "engine/ocean/readback_water.h"
+#include "engine/ocean/sea_maps.h"
+#include "engine/ocean/sea_mesh.h"
+#include "engine/ocean/sea_state.h"
+#include "engine/ocean/spectrum.h"
+#include "engine/shader/shader_library.h"
+
+namespace offing {
+
+struct OceanSettings {
+  int cascades = 3;    ///< 1 to 5
+  int size = 128;      ///< points per side of a cascade: 64, 128, 256 or 512
+  int mesh_cells = 8;  ///< per side of a mesh square; even; the mesh grows with its square
+  /// Cascades whose displacement comes back for water queries, from the longest on.
+  int readback_cascades = 2;
+
+  /// 0 low, 1 medium, 2 high, 3 ultra.
+  static OceanSettings of_quality(int quality);
+};
+
+/// From where the sea is looked at.
+struct OceanView {
+  glm::mat4 clip_from_relative{1.0f};  ///< as in shared::FrameData
+  glm::dvec2 eye{0.0};                 ///< x, z of the camera in the world, m
+  double eye_height = 2.0;             ///< above the mean sea level, m
+};
+
+/// How a pass reaches the sky, which lies above the sea in the order of includes: what sky.glsl
+/// reads is declared at set-up and bound when drawing.
+struct SkyAccess {
+  std::function<void(PassBuilder&)> declare;
+  std::function<void(const PassContext&)> bind;
+};
+
+/// The sea: its waves, its picture, and where its surface is.
+class Ocean {
+ public:
+  Ocean(ShaderLibrary& shaders, const OceanSettings& settings);
+
+  /// Computes waves for this sea state and wind where any of it has changed (some ms), else does
+  /// nothing.
+  void set_sea(const SeaState& state, const Environment& environment, std::uint64_t seed);
+
+  /// Adds sea.spectrum, sea.fft, sea.maps and, where `readback`, sea.readback for the sea's clock
+  /// `time` (s). Collects what earlier read-backs have brought.
+  SeaIds add_maps(FrameGraph& graph, double time, bool readback = true);
+
+  /// Adds sea.draw: the surface into `hdr` (radiance × exposure) and `depth` (reversed). The
+  /// frame's FrameData must be bound when the graph runs. Does not run where not `visible`.
+  void add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea, const SkyAccess& sky,
+                TextureId hdr, TextureId depth, bool visible);
+
+  /// Heights of the water for physics; safe from any thread.
+  const ReadbackWater& water() const { return readback_; }
+
+  const SeaStatistics& statistics() const { return statistics_; }
+  /// Expected height variance of the waves that the cascades carry, m^2.
+  double carried_variance() const;
+  std::span<const Cascade> cascades() const { return cascades_; }
+  double choppiness() const { return choppiness_; }
+  const SeaMaps& maps() const { return maps_; }
+  const OceanSettings& settings() const { return settings_; }
+  /// Vertices of the last sea.draw that was added.
+  int drawn_vertices() const { return drawn_vertices_; }
+
+ private:
+  void make_grid();
+  void update_block(const OceanView& view);
+
+  OceanSettings settings_;
+  SeaMaps maps_;
+  ReadbackWater readback_;
+  SeaMesh mesh_;
+  const ShaderProgram& surface_;
+  gl::Buffer vertices_, indices_, squares_, block_;
+  gl::VertexArray array_;
+  gl::Sampler map_sampler_, foam_sampler_;
+  gl::Texture foam_;
+  int index_count_ = 0;
+  int drawn_vertices_ = 0;
+
+  std::uint64_t sea_key_ = 0;
+  std::vector<Cascade> cascades_;
+  SeaStatistics statistics_;
+  SlopeVariance slope_variance_;
+  double choppiness_ = 1.0;
+  double white_share_ = 0.0;
+};
+
+}  // namespace offing

@@ -1,0 +1,66 @@
+// How a rough water surface looks: slopes, Fresnel reflection, the facets an eye can see, breaking.
+// Compiled as GLSL and as double-precision C++. Slopes are dh/dx, dh/dz; a facet's normal is
+// (-sx, 1, -sz) normalised.
+
+const float kWaterIndex = 1.34;        // of refraction, sea water in green light
+const float kWaterPi = 3.14159265358979323846;
+
+// det d(x)/d(q) of the displaced surface x = q + D(q): 1 at rest, below 0 where it folds. Taken of
+// the sum of all cascades, never of each.
+float surface_jacobian(float dxx, float dzz, float dxz) {
+  return (1.0 + dxx) * (1.0 + dzz) - dxz * dxz;
+}
+
+// Slope in space from slope at fixed parameter: J^-T (sx, sz), with the cross term. The determinant
+// is held at 0.15, so that a fold is steep and not infinite.
+vec2 surface_slope(float sx, float sz, float dxx, float dzz, float dxz) {
+  float jacobian = max(surface_jacobian(dxx, dzz, dxz), 0.15);
+  return vec2((1.0 + dzz) * sx - dxz * sz, (1.0 + dxx) * sz - dxz * sx) / jacobian;
+}
+
+// Reflectance of flat water for unpolarised light from above (Fresnel); cosine in [0, 1].
+float fresnel_water(float cosine) {
+  float g = sqrt(kWaterIndex * kWaterIndex - 1.0 + cosine * cosine);
+  float a = (g - cosine) / (g + cosine);
+  float b = (cosine * (g + cosine) - 1.0) / (cosine * (g - cosine) + 1.0);
+  return 0.5 * a * a * (1.0 + b * b);
+}
+
+// Share of a normal distribution below x: Abramowitz & Stegun 26.2.17, error below 7.5e-8.
+float normal_below(float x) {
+  float t = 1.0 / (1.0 + 0.2316419 * abs(x));
+  float tail = 0.39894228040143268 * exp(-0.5 * x * x) * t *
+               (0.319381530 + t * (-0.356563782 + t * (1.781477937 +
+                t * (-1.821255978 + t * 1.330274429))));
+  return x > 0.0 ? 1.0 - tail : tail;
+}
+
+// What an eye sees of facets whose slope toward it is normally distributed. With v the unit vector
+// to the eye, a facet of slope s toward the eye shows the area (v_y + v_h s) where that is positive.
+// level = v_y + v_h <s>, width = v_h sigma.
+struct Facets {
+  float area;   // mean of the shown area over facets (Smith's visible share times v_y)
+  float slope;  // mean of (s - <s>) over what is shown, in units of sigma
+};
+Facets visible_facets(float level, float width) {
+  Facets facets;
+  float a = clamp(level / max(width, 1.0e-6), -4.0, 30.0);
+  float density = 0.39894228040143268 * exp(-0.5 * a * a);
+  float below = normal_below(a);
+  float unit_area = a * below + density;  // E[(a + s)+] for unit sigma
+  facets.area = max(width, 1.0e-6) * max(unit_area, 1.0e-7);
+  if (a >= 30.0) facets.area = level;
+  facets.slope = below / max(unit_area, 1.0e-7);  // E[s (a + s)+] / E[(a + s)+]
+  return facets;
+}
+
+// Probability density of a slope, normal with the covariance xx, zz, xz (Cox & Munk 1954 without
+// their skewness).
+float slope_density(vec2 slope, float xx, float zz, float xz) {
+  float det = max(xx * zz - xz * xz, 1.0e-12);
+  float q = (zz * slope.x * slope.x - 2.0 * xz * slope.x * slope.y + xx * slope.y * slope.y) / det;
+  return exp(-0.5 * q) / (2.0 * kWaterPi * sqrt(det));
+}
+
+// Share of the sea under whitecaps, Monahan & O'Muircheartaigh 1980; wind in m/s at 10 m.
+float whitecap_share(float wind) { return min(3.84e-6 * pow(max(wind, 0.0), 3.41), 1.0); }

@@ -1,0 +1,20 @@
+// Where the sea's maps are read: by the mesh and by the picture of it.
+layout(std140, binding = 2) uniform OceanBlock { OceanData ocean; };
+layout(binding = 0) uniform sampler2DArray sea_displacement;  // Dx, h, Dz, Dxz
+layout(binding = 1) uniform sampler2DArray sea_slopes;        // sx, sz, Dxx, Dzz
+
+const float kFadeFirst = 5.0;  // the coarsest map level; waves still in it fade out over two more
+const float kFadeLast = 7.0;
+
+// Place in the maps of a cascade of a point q (x, z in m, relative to the camera, at rest).
+vec3 sea_map_place(int cascade, vec2 q) {
+  vec2 g = ocean.grid[cascade].xy;
+  return vec3(ocean.origin[cascade].xy + vec2(g.x * q.x + g.y * q.y, g.x * q.y - g.y * q.x),
+              float(cascade));
+}
+
+// Map level at which details smaller than `size` (m) are averaged away.
+float sea_map_level(int cascade, float size) {
+  return max(log2(size) - ocean.grid[cascade].z, 0.0);
+}
+float sea_map_share(float level) { return 1.0 - smoothstep(kFadeFirst, kFadeLast, level); }

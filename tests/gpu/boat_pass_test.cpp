@@ -1,0 +1,272 @@
+#include "game/frame/boat_pass.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <optional>
+
+#include "engine/core/paths.h"
+#include "engine/graph/gl_device.h"
+#include "game/world/camera.h"
+#include "support/gl_test.h"
+
+namespace offing {
+namespace {
+
+constexpr int kWidth = 160, kHeight = 120;
+constexpr float kFieldOfView = 0.8f;
+constexpr float kBackground = 0.25f;
+
+/// A picture of the boat, row 0 at the bottom.
+struct Picture {
+  std::vector<float> rgba;
+  std::vector<float> depth;
+  const float* at(int x, int y) const {
+    return &rgba[4 * static_cast<std::size_t>(y * kWidth + x)];
+  }
+  float luminance(int x, int y) const {
+    const float* p = at(x, y);
+    return 0.2126f * p[0] + 0.7152f * p[1] + 0.0722f * p[2];
+  }
+  float depth_at(int x, int y) const { return depth[static_cast<std::size_t>(y * kWidth + x)]; }
+};
+
+class BoatPicture : public test::GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    if (IsSkipped()) return;
+    shaders_.emplace(data_root() / "shaders");
+    const Model model = load_model(data_root() / "assets/models/r8/r8.glb", kBoatNodeNames, 80'000);
+    pass_.emplace(*shaders_, model, load_boat_textures(data_root() / "assets/textures"));
+    device_.emplace();
+    graph_.emplace(*device_);
+    hdr_ = gl::Texture("hdr", {.format = GL_RGBA16F, .width = kWidth, .height = kHeight});
+    depth_ =
+        gl::Texture("depth", {.format = GL_DEPTH_COMPONENT32F, .width = kWidth, .height = kHeight});
+    block_ = gl::Buffer("frame", sizeof(shared::FrameData));
+    frame_.viewport = {kWidth, kHeight, 1.0f / kWidth, 1.0f / kHeight};
+    frame_.camera = {0.0f, 5.0f, 0.0f, kFieldOfView / kHeight};
+    frame_.sun_direction = {0.0f, 1.0f, 0.0f, 1.0f};
+    frame_.sun_illuminance = {90e3f, 90e3f, 90e3f, 1.0f};
+    frame_.moon_direction = {0.0f, -1.0f, 0.0f, 1.0f};
+    frame_.sky_illuminance = {10e3f, 10e3f, 10e3f, 0.0f};
+    frame_.time = {3.0f, 1.0f / 60.0f, 1.0f / 20e3f, 0.0f};
+    look({25.0f, 6.0f, 0.0f}, {0.0f, 4.5f, 0.0f}, {0.0f, 1.0f, 0.0f});
+  }
+
+  /// With the boat's origin at the world's.
+  void look(glm::vec3 eye, glm::vec3 target, glm::vec3 up, float fov = kFieldOfView) {
+    frame_.clip_from_relative =
+        reversed_projection(fov, static_cast<double>(kWidth) / kHeight, 0.1) *
+        glm::lookAt(glm::vec3(0.0f), target - eye, up);
+    frame_.relative_from_clip = glm::inverse(frame_.clip_from_relative);
+    eye_ = eye;
+  }
+
+  /// From high above, 7 cm a pixel in the middle of the sails, the bow up.
+  void look_down() { look({0.0f, 55.0f, -0.2f}, {0.0f, 0.0f, -0.2f}, {0.0f, 0.0f, -1.0f}, 0.165f); }
+
+  void run(BoatView view, bool with_mask) {
+    view.position = -eye_;
+    block_.write(frame_);
+    graph_->begin_frame();
+    const TextureId hdr = graph_->import(hdr_), depth = graph_->import(depth_);
+    graph_->add(
+        "clear",
+        [&](PassBuilder& pass) {
+          pass.write(hdr, Access::kAttachment)
+              .write(depth, Access::kAttachment)
+              .render_to({hdr}, depth);
+        },
+        [&](PassContext&) {
+          const float colour[4] = {kBackground, kBackground, kBackground, 1.0f}, far = 0.0f;
+          block_.bind_uniform(0);
+          glDepthMask(GL_TRUE);
+          glClearBufferfv(GL_COLOR, 0, colour);
+          glClearBufferfv(GL_DEPTH, 0, &far);
+        });
+    pass_->add(*graph_, view, frame_, hdr, depth);
+    TextureId mask;
+    if (with_mask) mask = pass_->add_mask(*graph_, view, frame_);
+    graph_->add(
+        "look",
+        [&](PassBuilder& pass) {
+          pass.read(hdr).read(depth).side_effect();
+          if (with_mask) pass.read(mask);
+        },
+        [&](PassContext& context) {
+          picture_ = {hdr_.read_floats(4), {}};
+          picture_.depth.resize(static_cast<std::size_t>(kWidth) * kHeight);
+          glGetTextureImage(depth_.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                            static_cast<GLsizei>(picture_.depth.size() * sizeof(float)),
+                            picture_.depth.data());
+          if (with_mask) mask_ = context.texture(mask).read_floats(2);
+        });
+    graph_->execute();
+  }
+  Picture draw(const BoatView& view) {
+    run(view, false);
+    return picture_;
+  }
+
+  /// Seen from the masthead's height and more, bow up: how many points of the rig that are higher
+  /// than `above` lie to starboard (+) and to port (-) of the centreline, beyond `beside` metres.
+  std::pair<int, int> rig_points(const Picture& picture, float above, float beside) const {
+    int port = 0, starboard = 0;
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const float z = picture.depth_at(x, y);
+        if (z <= 0.0f) continue;
+        const glm::vec4 clip(2.0f * (static_cast<float>(x) + 0.5f) / kWidth - 1.0f,
+                             2.0f * (static_cast<float>(y) + 0.5f) / kHeight - 1.0f, z, 1.0f);
+        const glm::vec4 relative = frame_.relative_from_clip * clip;
+        const glm::vec3 place = glm::vec3(relative) / relative.w + eye_;
+        if (place.y < above) continue;
+        if (place.x > beside) ++starboard;
+        if (place.x < -beside) ++port;
+      }
+    }
+    return {port, starboard};
+  }
+
+  std::optional<ShaderLibrary> shaders_;
+  std::optional<BoatPass> pass_;
+  std::optional<GlDevice> device_;
+  std::optional<FrameGraph> graph_;
+  gl::Texture hdr_, depth_;
+  gl::Buffer block_;
+  shared::FrameData frame_{};
+  glm::vec3 eye_{0.0f};
+  Picture picture_;
+  std::vector<float> mask_;
+};
+
+TEST_F(BoatPicture, IsThereFiniteAndLeavesTheRestAlone) {
+  BoatView view;
+  view.main = {0.2f, 0.8f, 0.3f};
+  view.jib = {0.2f, 0.8f, 0.3f};
+  view.apparent_wind = {4.0f, 0.0f, 5.0f};
+  const Picture picture = draw(view);
+  int drawn = 0, kept = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const float* p = picture.at(x, y);
+      for (int channel = 0; channel < 3; ++channel) {
+        ASSERT_TRUE(std::isfinite(p[channel]) && p[channel] >= 0.0f) << x << ", " << y;
+      }
+      if (picture.depth_at(x, y) > 0.0f) {
+        ++drawn;
+      } else {
+        EXPECT_EQ(p[0], kBackground);
+        ++kept;
+      }
+    }
+  }
+  // Her 34 m² of sail alone, seen square on from 25 m, cover this many pixels; hull and mast add to
+  // it.
+  const double pixels_per_metre = kHeight / (2.0 * 25.0 * std::tan(kFieldOfView / 2.0));
+  EXPECT_GT(drawn, 0.7 * 34.0 * pixels_per_metre * pixels_per_metre);
+  EXPECT_GT(kept, kWidth * kHeight / 2);
+}
+
+TEST_F(BoatPicture, SailsBellyToLeewardAndMirrorWithTheWind) {
+  look_down();
+  BoatView starboard;  // pressed to starboard, the chord on the centreline
+  starboard.main.fill = starboard.jib.fill = 1.0f;
+  BoatView port;
+  port.main.fill = port.jib.fill = -1.0f;
+  // What is higher than 2.2 m and farther than 0.1 m from the centreline: cloth, and the spreaders
+  // and shrouds that are there without it too.
+  const auto [port_rig, starboard_rig] = rig_points(draw(BoatView{}), 2.2f, 0.1f);
+  const auto [port_a, starboard_a] = rig_points(draw(starboard), 2.2f, 0.1f);
+  const auto [port_b, starboard_b] = rig_points(draw(port), 2.2f, 0.1f);
+  // Two bellies a tenth of their chord deep cover at least half a square metre there; a pixel is
+  // 0.005 m².
+  EXPECT_GT(starboard_a - starboard_rig, 100);
+  EXPECT_LE(port_a, port_rig);
+  EXPECT_NEAR(starboard_a - starboard_rig, port_b - port_rig, 0.1 * (starboard_a - starboard_rig));
+  EXPECT_LE(starboard_b, starboard_rig);
+}
+
+TEST_F(BoatPicture, BoomSwingsTheMainsailToItsSide) {
+  look_down();
+  BoatView view;
+  const auto [port_rig, starboard_rig] = rig_points(draw(view), 2.2f, 0.9f);
+  view.main = {1.2f, 0.8f, 0.0f};
+  const auto [port, starboard] = rig_points(draw(view), 2.2f, 0.9f);
+  EXPECT_GT(starboard, starboard_rig + 40);
+  EXPECT_LE(port, port_rig);
+}
+
+TEST_F(BoatPicture, SailsGlowWhenTheSunIsBehindThem) {
+  BoatView view;
+  frame_.sun_direction = {0.8f, 0.6f, 0.0f, 1.0f};
+  // A point of the mainsail 0.7 m abaft midships and 5 m up, from either side.
+  const int y = kHeight / 2 + 4, left = kWidth / 2 - 4, right = kWidth / 2 + 4;
+  const float lit = draw(view).luminance(left, y);
+  look({-25.0f, 6.0f, 0.0f}, {0.0f, 4.5f, 0.0f}, {0.0f, 1.0f, 0.0f});
+  const float behind = draw(view).luminance(right, y);
+  ASSERT_GT(picture_.depth_at(right, y), 0.0f);
+  frame_.sun_illuminance = glm::vec4(0.0f);
+  const float sunless = draw(view).luminance(right, y);
+  EXPECT_GT(lit, 2.0f * behind);
+  EXPECT_GT(behind, 1.5f * sunless);
+}
+
+TEST_F(BoatPicture, IsSkippedOutOfView) {
+  look({0.0f, 5.0f, 40.0f}, {0.0f, 5.0f, 80.0f}, {0.0f, 1.0f, 0.0f});
+  graph_->reset_report();
+  draw(BoatView{});
+  for (const PassReport& pass : graph_->report()) {
+    if (pass.name == "boat") {
+      EXPECT_EQ(pass.skipped, 1);
+      EXPECT_EQ(pass.ran, 0);
+    }
+  }
+}
+
+TEST_F(BoatPicture, MaskBracketsTheHull) {
+  look({20.0f, 0.3f, 0.0f}, {0.0f, 0.3f, 0.0f}, {0.0f, 1.0f, 0.0f});
+  run(BoatView{}, true);
+  const std::size_t middle = 2 * static_cast<std::size_t>(kHeight / 2 * kWidth + kWidth / 2);
+  // Square on at 0.3 m, where she is between her waterline's 2.05 m and her deck's 2.5 m broad.
+  const float near = 1.0f / mask_[middle], far = mask_[middle + 1];
+  EXPECT_GT(near, 20.0f - 1.27f);
+  EXPECT_LT(near, 20.0f - 1.00f);
+  EXPECT_GT(far, 20.0f + 1.00f);
+  EXPECT_LT(far, 20.0f + 1.27f);
+  const std::size_t sky = 2 * static_cast<std::size_t>((kHeight - 2) * kWidth + kWidth / 2);
+  EXPECT_EQ(mask_[sky], 0.0f);
+  EXPECT_EQ(mask_[sky + 1], 0.0f);
+}
+
+TEST(Flag, StreamsDownTheWindAndDroopsInACalm) {
+  const glm::vec3 down(0.0f, -1.0f, 0.0f);
+  const FlagPose breeze = flag_pose({10.0f, 0.0f, 0.0f}, down);  // blows to starboard
+  EXPECT_NEAR(breeze.yaw, 1.5708f, 1e-4f);
+  EXPECT_GT(breeze.stream.z, 0.99f);
+  const FlagPose calm = flag_pose(glm::vec3(0.0f), down);
+  EXPECT_LT(calm.stream.y, -0.9f);
+  // Heeled to starboard in a calm it hangs to the earth, not to the keel: 30 degrees off the hoist.
+  const FlagPose heeled = flag_pose(glm::vec3(0.0f), {0.5f, -0.866f, 0.0f});
+  EXPECT_GT(heeled.stream.x, 0.4f);
+}
+
+TEST(Cloth, ClockTicksAndSidesMirror) {
+  ClothStyle style = mainsail_style();
+  style.time_step = 0.5f;
+  const SailView starboard{0.1f, 0.7f, 0.2f}, port{-0.1f, -0.7f, 0.2f};
+  const auto a = sail_cloth(style, starboard, 3.1, 4, 0);
+  const auto b = sail_cloth(style, port, 3.4, 4, 0);
+  EXPECT_EQ(a.clock.x, 3.0f);
+  EXPECT_EQ(b.clock.x, 3.0f);
+  EXPECT_EQ(a.belly.x, -b.belly.x);
+  EXPECT_EQ(a.belly.y, -b.belly.y);
+  EXPECT_GT(a.belly.x, 0.0f);
+}
+
+}  // namespace
+}  // namespace offing
