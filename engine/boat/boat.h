@@ -99,8 +99,8 @@ class Boat {
   const Hull& hull() const { return hull_; }
   /// How often a limit had to step in since start(): 0 in honest work.
   long limit_hits() const { return limits_ + probe_.limits() - probe_limits_at_start_; }
-  /// Kinetic (added mass included) and potential energy over the mean water level, J.
-  double energy() const;
+  /// Added mass included, J.
+  double kinetic_energy() const { return body_.kinetic_energy(motion_); }
 
   /// An extra force (N, boat axes) at a place in the boat frame, applied every step: a tow, a test.
   void set_external_force(glm::dvec3 force, glm::dvec3 place);
