@@ -71,7 +71,9 @@ class Shaders : public GlTest {
  protected:
   void SetUp() override {
     GlTest::SetUp();
-    folder_ = fs::path(OFFING_TEST_OUTPUT) / "shaders";
+    // One for each test: several run at once.
+    folder_ = fs::path(OFFING_TEST_OUTPUT) / "shaders" /
+              ::testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }

@@ -1,0 +1,17 @@
+// What the sanitizers are told, wherever and however a test is started.
+#ifdef __SANITIZE_ADDRESS__
+
+extern "C" const char* __asan_default_options() {
+  return "detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1:"
+         // Whole stacks, through libraries without frame pointers: the suppressions need them.
+         "fast_unwind_on_malloc=0";
+}
+
+extern "C" const char* __ubsan_default_options() { return "print_stacktrace=1"; }
+
+extern "C" const char* __lsan_default_suppressions() {
+  // A damaged PNG: libpng leaves by longjmp past OpenImageIO's half-made error message.
+  return "leak:PNGInput::PngReadCallback\n";
+}
+
+#endif
