@@ -56,10 +56,12 @@ struct Model {
   int find(std::string_view name) const;
 };
 
-/// Reads .gltf or .glb. Every count, index, offset and path in the file is checked before use.
-/// Throws InputError ("{file}: node 'boom' is missing: …") for anything that is not a sound model
-/// of at most `max_triangles`, lacks one of `required_nodes`, or refers to a file outside its
-/// folder.
+/// Reads .gltf or .glb (glTF 2.0, at most 64 MiB, no required extensions): the nodes of its scene,
+/// triangles only. A mesh without normals is flat-shaded. Every count, index, offset and path in
+/// the file is checked before use. In a build without OpenImageIO pictures are left out, with a
+/// word about it. Throws InputError ("{file}: node 'boom' is missing: …") for anything that is not
+/// a sound model of at most `max_triangles` as stored and as drawn, lacks any of `required_nodes`,
+/// or refers to a file outside its folder.
 Model load_model(const std::filesystem::path& file,
                  std::span<const std::string_view> required_nodes = {},
                  std::size_t max_triangles = 2'000'000);

@@ -123,7 +123,6 @@ double Ocean::carried_variance() const {
 
 SeaIds Ocean::add_maps(FrameGraph& graph, double time, bool readback) {
   const SeaIds ids = maps_.add(graph, time);
-  readback_.collect();
   if (readback) readback_.add_copy(graph, ids, time);
   return ids;
 }
@@ -161,7 +160,8 @@ void Ocean::update_block(const OceanView& view) {
 }
 
 void Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
-                     const SkyAccess& sky, TextureId hdr, TextureId depth, bool visible) {
+                     const SkyAccess& sky, TextureId dry, TextureId hdr, TextureId depth,
+                     bool visible) {
   std::vector<SeaMesh::Square> squares;
   if (visible) {
     squares = mesh_.select(view.eye, view.eye_height, 1.2 * statistics_.hs + 0.1,
@@ -170,21 +170,23 @@ void Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea
   }
   const int cells = settings_.mesh_cells;
   drawn_vertices_ = static_cast<int>(squares.size()) * (cells + 1) * (cells + 1);
+  const bool nothing_in_view = squares.empty();
   graph.add(
       "sea.draw",
       [&](PassBuilder& pass) {
-        pass.read(sea.displacement).read(sea.slopes);
+        pass.read(sea.displacement).read(sea.slopes).read(dry);
         sky.declare(pass);
         pass.modify(hdr).modify(depth).render_to({hdr}, depth);
-        pass.skip_if(!visible || squares.empty());
+        pass.skip_if(nothing_in_view);
       },
-      [this, view, sea, bind_sky = sky.bind,
+      [this, view, sea, dry, bind_sky = sky.bind,
        squares = std::move(squares)](const PassContext& context) {
         update_block(view);
         squares_.write(squares.data(), squares.size() * sizeof(SeaMesh::Square));
         context.texture(sea.displacement).bind(0);
         context.texture(sea.slopes).bind(1);
         foam_.bind(2);
+        context.texture(dry).bind(3);
         map_sampler_.bind(0);
         map_sampler_.bind(1);
         foam_sampler_.bind(2);

@@ -54,14 +54,18 @@ class Ocean {
   void set_sea(const SeaState& state, const Environment& environment, std::uint64_t seed);
 
   /// Adds sea.spectrum, sea.fft, sea.maps and, where `readback`, sea.readback for the sea's clock
-  /// `time` (s). Collects what earlier read-backs have brought.
+  /// `time` (s).
   SeaIds add_maps(FrameGraph& graph, double time, bool readback = true);
 
   /// Adds sea.draw: the surface into `hdr` (radiance × exposure) and `depth` (reversed). The
-  /// frame's FrameData must be bound when the graph runs. Does not run where not `visible`.
+  /// frame's FrameData must be bound when the graph runs. Does not run where not `visible`. Nothing
+  /// is drawn inside a hull: `dry`, a picture of the same size, holds 1 / distance to its near side
+  /// and the distance to its far side.
   void add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea, const SkyAccess& sky,
-                TextureId hdr, TextureId depth, bool visible);
+                TextureId dry, TextureId hdr, TextureId depth, bool visible);
 
+  /// Takes in what has come back of the sea; never waits.
+  void collect() { readback_.collect(); }
   /// Heights of the water for physics; safe from any thread.
   const ReadbackWater& water() const { return readback_; }
 

@@ -47,8 +47,7 @@ void ReadbackWater::set_waves(std::span<const Cascade> cascades) {
   const auto points = static_cast<std::size_t>(cascades_ * size_ * size_);
   ring_ = std::make_unique<gl::ReadbackRing>("sea.readback", points * 4 * sizeof(float));
   asked_ = kNever;
-  const std::lock_guard lock(mutex_);
-  snapshot_.reset();
+  fresh_waves_ = true;
 }
 
 void ReadbackWater::add_copy(FrameGraph& graph, const SeaIds& sea, double time) {
@@ -80,12 +79,13 @@ void ReadbackWater::collect() {
   moment->maps.resize(result.bytes.size() / sizeof(float));
   std::memcpy(moment->maps.data(), result.bytes.data(), result.bytes.size());
   auto next = std::make_shared<Snapshot>(Snapshot{grids_, size_, std::move(moment), nullptr});
-  if (const auto now = snapshot(); now != nullptr) {
+  if (const auto now = snapshot(); now != nullptr && !fresh_waves_) {
     const auto& last = now->newest->time != next->newest->time ? now->newest : now->before;
     if (last != nullptr && std::abs(next->newest->time - last->time) <= kLongestStep) {
       next->before = last;
     }
   }
+  fresh_waves_ = false;
   const std::lock_guard lock(mutex_);
   snapshot_ = std::move(next);
 }

@@ -20,7 +20,8 @@ class ReadbackWater final : public WaterSurface {
  public:
   ReadbackWater(int cascades, int size);
 
-  /// Other waves: forgets what has come and what is on its way.
+  /// Other waves: forgets what is on its way, and stays with the last of the old ones until the
+  /// first of the new has arrived.
   void set_waves(std::span<const Cascade> cascades);
   /// Adds sea.readback: copies the maps of the moment `time` into the ring. Skipped where this
   /// moment has been asked for already.
@@ -52,7 +53,8 @@ class ReadbackWater final : public WaterSurface {
   int cascades_, size_;
   std::vector<Grid> grids_;
   std::unique_ptr<gl::ReadbackRing> ring_;
-  double asked_;  // the moment last asked for; NaN for none
+  bool fresh_waves_ = false;  // nothing of these waves has arrived yet
+  double asked_;              // the moment last asked for; NaN for none
   mutable std::mutex mutex_;
   std::shared_ptr<const Snapshot> snapshot_;
 };

@@ -24,13 +24,15 @@ struct Quality {
   int width, height, steps;
 };
 // Half the azimuths stand for all: the width counts double.
-constexpr Quality kQuality[] = {{96, 64, 24}, {128, 96, 30}, {192, 108, 36}, {256, 144, 48}};
+constexpr Quality kQuality[] = {{80, 56, 20}, {128, 96, 30}, {192, 108, 36}, {256, 144, 48}};
 
 /// Steps in which a light's elevation is told apart: twilight changes by 0.1 % in one.
 constexpr double kElevationStep = 0.002 * 3.14159265358979 / 180.0;
-/// A light this weak against the night's own glow is left out (lux above the air, times what of it
-/// the air can still scatter: nothing below 19 degrees under the horizon).
+/// A light lower than this (19 degrees under the horizon) reaches no air that could scatter it
+/// here.
 constexpr double kLowestSine = -0.3256;
+
+constexpr int kDomeVertices = 96 * 3;  // as in dome.vert
 
 constexpr double kStarLux = 2.54e-6;  // magnitude 0, above the air
 constexpr double kEarthshine = 0.25;  // cd/m^2 on the moon at new moon
@@ -72,12 +74,15 @@ Sky::Sky(ShaderLibrary& shaders, int quality)
     : transmittance_program_(shaders.program({"sky/transmittance.comp"})),
       multiscatter_program_(shaders.program({"sky/multiscatter.comp"})),
       view_program_(shaders.program({"sky/view.comp"}, steps(quality))),
-      background_program_(shaders.program({"sky/full_screen.vert", "sky/background.frag"})),
+      background_program_(shaders.program({"sky/dome.vert", "sky/background.frag"})),
+      distant_sea_program_(shaders.program({"sky/dome.vert", "sky/distant_sea.frag"})),
+      sun_program_(shaders.program({"sky/disc.vert", "sky/sun.frag"})),
+      moon_program_(shaders.program({"sky/disc.vert", "sky/moon.frag"})),
       stars_program_(shaders.program({"sky/stars.vert", "sky/stars.frag"})),
       linear_("sky tables", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
       block_("sky block", sizeof(shared::SkyData)),
       star_array_("stars"),
-      no_vertices_("full screen") {
+      no_vertices_("sky without vertices") {
   const Quality& q = kQuality[std::clamp(quality, 0, 3)];
   transmittance_ = cleared("sky transmittance", kTransmittanceWidth, kTransmittanceHeight);
   multiscatter_ = cleared("sky multiscatter", kMultiscatterSize, kMultiscatterSize);
@@ -150,14 +155,16 @@ SkyIds Sky::add_tables(FrameGraph& graph, const SkyLight& light) {
         dispatch_over(multiscatter_);
       });
 
-  // To decimetres near the sea: the boat's heave must not make the tables anew.
+  // In steps, even near the sea: the boat's heave must not make the tables anew.
   const double coarse = light.camera_height < 100.0 ? 2.0 : 50.0;
   const double height_km = std::max(1.0, std::round(light.camera_height / coarse)) * coarse * 1e-3;
   const bool sun_lights = light.sun_direction.y > kLowestSine;
   // The moon adds nothing that the eye could see while the sun is up.
   const bool moon_lights = light.moon_direction.y > kLowestSine && light.sun_direction.y < 0.05;
-  add_view(graph, "sky.sun_view", sun_view_, sun_memory_, std::asin(light.sun_direction.y),
-           height_km, aerosol, sun_lights, ids.transmittance, multiscatter);
+  // The sun's view also holds what the air lets through of the night's glow: it is kept all night.
+  add_view(graph, "sky.sun_view", sun_view_, sun_memory_,
+           std::asin(std::max(light.sun_direction.y, kLowestSine)), height_km, aerosol, true,
+           ids.transmittance, multiscatter);
   add_view(graph, "sky.moon_view", moon_view_, moon_memory_, std::asin(light.moon_direction.y),
            height_km, aerosol, moon_lights, ids.transmittance, multiscatter);
 
@@ -173,6 +180,7 @@ SkyIds Sky::add_tables(FrameGraph& graph, const SkyLight& light) {
   data.night = pack(light.airglow, kEarthshine * (1.0 - light.moon_lit_fraction));
   data.observer = glm::vec4(
       glm::dvec4(light.camera_height * 1e-3, dip, std::sqrt(1.0 - dip * dip), light.star_share));
+  data.lights = glm::vec4(moon_lights ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f);
   data.aerosol = glm::vec4(aerosol, static_cast<float>(kStarLux));
   data.table_texels =
       glm::vec4(static_cast<float>(sun_view_.width()), static_cast<float>(sun_view_.height()),
@@ -210,18 +218,45 @@ void Sky::add_background(FrameGraph& graph, const SkyLight& light, const SkyIds&
     glDepthFunc(GL_GEQUAL);
     glDepthMask(GL_FALSE);
   };
+  const auto body = [](const glm::dvec3& direction, double radius) {
+    return glm::vec4(glm::vec3(direction), static_cast<float>(std::sin(radius)));
+  };
+  const glm::vec4 sun = body(light.sun_direction, light.sun_radius);
+  const glm::vec4 moon = body(light.moon_direction, light.moon_radius);
+  const bool sun_up = light.sun_share > 0.0, moon_up = light.moon_share > 0.0;
   graph.add(
       "sky.background",
       [&](PassBuilder& pass) {
         declare(pass);
         pass.skip_if(!visible);
       },
-      [this, ids, far_pixels_only](PassContext& context) {
+      [this, ids, far_pixels_only, sun, moon, sun_up, moon_up](PassContext& context) {
         far_pixels_only();
         bind(context, ids);
-        background_program_.use();
         no_vertices_.bind();
-        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glDisable(GL_BLEND);
+        background_program_.use();
+        background_program_.program().set(0, 1.0f);
+        glDrawArrays(GL_TRIANGLES, 0, kDomeVertices);
+
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+        if (sun_up) {
+          sun_program_.use();
+          sun_program_.program().set(0, sun);
+          sun_program_.program().set(1, moon);
+          glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+        }
+        if (moon_up) {
+          moon_program_.use();
+          moon_program_.program().set(0, moon);
+          glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+        }
+        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        distant_sea_program_.use();
+        distant_sea_program_.program().set(0, -1.0f);
+        glDrawArrays(GL_TRIANGLES, 0, kDomeVertices);
+        glDisable(GL_BLEND);
         glDepthMask(GL_TRUE);
       });
   graph.add(

@@ -46,6 +46,9 @@ class Sky {
   const ShaderProgram& multiscatter_program_;
   const ShaderProgram& view_program_;
   const ShaderProgram& background_program_;
+  const ShaderProgram& distant_sea_program_;
+  const ShaderProgram& sun_program_;
+  const ShaderProgram& moon_program_;
   const ShaderProgram& stars_program_;
   gl::Texture transmittance_, multiscatter_, sun_view_, moon_view_;
   gl::Sampler linear_;

@@ -137,7 +137,8 @@ SkyLightModel::Air::Air(double haze_now, double height)
     const double cosine = (i + 0.5) / kRings;
     const double glow = luminance(transmittance.read(glsl::transmittance_units(height_km, cosine)));
     night_illuminance +=
-        kNightLuminance * kNightColour * (glow * glsl::van_rhijn(cosine) * kTau * cosine / kRings);
+        kNightLuminance * kNightColour *
+        ((glow * glsl::van_rhijn(cosine) + 0.8 * (1.0 - glow)) * kTau * cosine / kRings);
   }
   sky_nodes.fill(dvec3(std::numeric_limits<double>::quiet_NaN()));
 }
@@ -161,6 +162,7 @@ dvec3 SkyLightModel::Air::sky_of(double light_elevation_deg) const {
     const double cosine = std::sqrt((i + 0.5) / kCosines);
     const double along = glsl::distance_to_top(height_km, cosine);
     for (int j = 0; j < kAzimuths; ++j) {
+      dvec3 radiance(0.0);
       const double azimuth = kPi * (j + 0.5) / kAzimuths;
       const double towards =
           cosine * light_cosine + std::sqrt(1.0 - cosine * cosine) * light_sine * std::cos(azimuth);
@@ -177,9 +179,10 @@ dvec3 SkyLightModel::Air::sky_of(double light_elevation_deg) const {
             light(h, c) * (air.rayleigh * rayleigh + air.mie * mie) +
             multiscatter.read(glsl::multiscatter_units(h, c)) * (air.rayleigh + air.mie);
         const dvec3 kept = glm::exp(-air.extinction * (along * (x1 * x1 - x0 * x0)));
-        sum += through * source * (1.0 - kept) / air.extinction;
+        radiance += through * source * (1.0 - kept) / air.extinction;
         through *= kept;
       }
+      sum += glsl::srgb_from_bands(radiance);
     }
   }
   return sum * (kPi / (kCosines * kAzimuths));
@@ -213,7 +216,8 @@ dvec3 SkyLightModel::Air::direct(double elevation, double radius) const {
   constexpr int kSteps = 40, kStrips = 8;
   const double dip = std::asin(glsl::horizon_dip_sine(height_km));
   if (elevation > radians(5.0)) {
-    return glsl::transmittance_to_top(aerosol, height_km, std::sin(elevation), kSteps);
+    return glsl::srgb_from_bands(
+        glsl::transmittance_to_top(aerosol, height_km, std::sin(elevation), kSteps));
   }
   const double low = std::max(-1.0, -(elevation + dip) / radius);
   if (low >= 1.0) return dvec3(0.0);
@@ -225,7 +229,8 @@ dvec3 SkyLightModel::Air::direct(double elevation, double radius) const {
     const double a = first + range * (i + 0.5) / kStrips;
     const double chord = std::cos(a) * std::cos(a) * range / kStrips;
     const double e = elevation + radius * std::sin(a);
-    sum += glsl::transmittance_to_top(aerosol, height_km, std::sin(e), kSteps) * chord;
+    sum += chord * glsl::srgb_from_bands(
+                       glsl::transmittance_to_top(aerosol, height_km, std::sin(e), kSteps));
   }
   return sum * (2.0 / kPi);
 }
@@ -278,10 +283,10 @@ const SkyLight& SkyLightModel::update(const CelestialState& celestial, double ha
   l.extinction = glsl::air_at(air_->aerosol, 0.0).extinction * 1e-3;
   l.star_share = 1.0 - smooth(-5.0, -3.0, celestial.sun.elevation_deg);
 
-  // The eye looks at the sea and the sky about it, not at the sun: a tenth of what the discs give.
+  // The eye looks at the sea and the sky about it, not at the sun: a little of what the discs give.
   const double direct = luminance(l.sun_illuminance) * std::max(l.sun_direction.y, 0.0) +
                         luminance(l.moon_illuminance) * std::max(l.moon_direction.y, 0.0);
-  const double level = (luminance(l.sky_illuminance) + 0.1 * direct) / kPi;
+  const double level = (luminance(l.sky_illuminance) + 0.03 * direct) / kPi;
   l.exposure = eye_exposure(level) * std::exp2(exposure_ev);
   return l;
 }
@@ -323,11 +328,13 @@ double uncovered_sun(double separation, double sun_radius, double moon_radius) {
 }
 
 double eye_exposure(double level_luminance) {
-  constexpr double kDayLuminance = 6000.0;  // cd/m^2, where the picture is brightest
-  constexpr double kDayKey = 0.24;          // the picture's value of it
-  constexpr double kDimming = 0.13;         // how much of each decade the eye does not make good
+  // What of the picture's scale that luminance gets: bright days, evenings that darken, and nights
+  // a tenth as bright as day, which the eye has got used to. A logistic curve over the decades.
+  constexpr double kNightKey = 0.03, kDayKey = 0.42, kMiddle = 3.2, kSteepness = 1.6;
   const double level = std::max(level_luminance, 1e-6);
-  return kDayKey * std::pow(level / kDayLuminance, kDimming) / level;
+  const double key =
+      kNightKey + kDayKey / (1.0 + std::exp(-kSteepness * (std::log10(level) - kMiddle)));
+  return key / level;
 }
 
 }  // namespace offing

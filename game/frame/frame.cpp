@@ -7,8 +7,6 @@
 namespace offing {
 namespace {
 
-OceanSettings ocean_settings(const Quality& quality) { return {quality.sea_size}; }
-
 // Uploads what every pass may read, and empties the picture.
 void add_begin(FrameGraph& graph, const FrameView& view, const gl::Buffer& frame_block,
                TextureId hdr, TextureId depth) {
@@ -32,12 +30,20 @@ void add_begin(FrameGraph& graph, const FrameView& view, const gl::Buffer& frame
       });
 }
 
+OceanView ocean_view(const FrameView& view) {
+  return {view.frame.clip_from_relative, {view.camera.x, view.camera.z}, view.camera.y};
+}
+
+SkyAccess sky_access(const Sky& sky, const SkyIds& ids) {
+  return {[ids](PassBuilder& pass) { ids.read_by(pass); },
+          [&sky, ids](const PassContext& context) { sky.bind(context, ids); }};
+}
+
 }  // namespace
 
 Techniques::Techniques(ShaderLibrary& shaders, const Quality& quality)
     : sky(shaders, quality.level),
-      ocean(shaders, ocean_settings(quality)),
-      water(ocean),
+      ocean(shaders, OceanSettings::of_quality(quality.level)),
       boat(shaders, load_model(data_root() / "assets/models/r8/r8.glb", kBoatNodeNames),
            load_boat_textures(data_root() / "assets/textures")),
       tonemap(shaders),
@@ -57,10 +63,10 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   add_begin(graph, view, t.frame_block, hdr, depth);
   const SkyIds sky = t.sky.add_tables(graph, view.light);
   const SeaIds sea = t.ocean.add_maps(graph, view.sea_time);
-  t.water.add(graph, sea, view.sea_time);
   const TextureId hull = t.boat.add_mask(graph, view.boat, view.frame);
   t.boat.add(graph, view.boat, view.frame, hdr, depth);
-  t.ocean.add_draw(graph, view, sea, sky, hull, hdr, depth);
+  t.ocean.add_draw(graph, ocean_view(view), sea, sky_access(t.sky, sky), hull, hdr, depth,
+                   view.sea_visible);
   t.sky.add_background(graph, view.light, sky, hdr, depth, view.sky_visible);
   t.tonemap.add(graph, hdr, display, {.exposure = view.light.exposure, .count_nonfinite = true});
   return display;

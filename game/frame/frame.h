@@ -3,7 +3,6 @@
 #include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
 #include "engine/ocean/ocean.h"
-#include "engine/ocean/readback_water.h"
 #include "engine/post/tonemap.h"
 #include "engine/shader/shader_library.h"
 #include "engine/sky/sky.h"
@@ -19,7 +18,6 @@ struct Techniques {
 
   Sky sky;
   Ocean ocean;
-  ReadbackWater water;
   BoatPass boat;
   Tonemap tonemap;
   gl::Buffer frame_block;  ///< shared::FrameData

@@ -6,10 +6,10 @@ namespace offing {
 
 Quality quality_named(std::string_view name, bool software) {
   static constexpr std::array kQualities = {
-      Quality{"low", 0, 128},
-      Quality{"medium", 1, 256},
-      Quality{"high", 2, 256},
-      Quality{"ultra", 3, 512},
+      Quality{"low", 0},
+      Quality{"medium", 1},
+      Quality{"high", 2},
+      Quality{"ultra", 3},
   };
   for (const Quality& quality : kQualities) {
     if (name == quality.name) return quality;

@@ -6,8 +6,7 @@ namespace offing {
 /// What one pays for the picture.
 struct Quality {
   const char* name;
-  int level;     ///< 0 low to 3 ultra: table sizes, mesh density
-  int sea_size;  ///< FFT points per side of a cascade
+  int level;  ///< 0 low to 3 ultra: what each technique makes its own sizes of
 };
 
 /// low, medium, high or ultra; anything else (`auto`) is low on a software renderer and high

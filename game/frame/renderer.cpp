@@ -35,10 +35,10 @@ void Renderer::prime(double time) {
   // Two moments, so that the water's velocity is known too.
   for (const double moment : {time - 1.0 / 60.0, time}) {
     graph_.begin_frame();
-    techniques_.water.add(graph_, techniques_.ocean.add_maps(graph_, moment), moment);
+    techniques_.ocean.add_maps(graph_, moment);
     graph_.execute();
     glFinish();
-    techniques_.water.poll();
+    techniques_.ocean.collect();
   }
   graph_.reset_report();
 }
@@ -61,7 +61,7 @@ void Renderer::build(const FrameView& view,
 
 void Renderer::execute() {
   graph_.execute();
-  techniques_.water.poll();
+  techniques_.ocean.collect();
 }
 
 Image Renderer::picture() const {

@@ -17,7 +17,7 @@ class Renderer {
   explicit Renderer(const Quality& quality);
 
   /// Where the boat floats: what was read back of the sea.
-  const WaterSurface& water() const { return techniques_.water; }
+  const WaterSurface& water() const { return techniques_.ocean.water(); }
   /// Takes over the sea state, wind and seed of a scene; does nothing where they are unchanged.
   void set_sea(const Scene& scene) {
     techniques_.ocean.set_sea(scene.sea, scene.environment, seed_of(scene));

@@ -42,6 +42,17 @@ Aerosol aerosol_of_haze(float haze) {
   return a;
 }
 
+// The three values stand for light of 680, 550 and 440 nm, and transport is worked out there. Green and
+// blue of a display lie close by; its red lies near 628 nm, where ozone takes three times as much.
+// Shown as they are, the bands make dusk purple that is blue in nature. So red is read off there from
+// a spectrum whose logarithm (over the sun's) is a constant, the logarithm of the wavelength and
+// ozone's cross-section. Light without colour keeps none; doubled light is doubled.
+vec3 srgb_from_bands(vec3 bands) {
+  vec3 l = log(max(bands, vec3(1.0e-25)));
+  float red = exp(dot(l, vec3(0.3057, 0.9979, -0.3036)));
+  return vec3(min(red, max(max(bands.x, bands.y), bands.z)), bands.y, bands.z);
+}
+
 struct Air {
   vec3 rayleigh;  // scattering
   vec3 mie;

@@ -12,6 +12,7 @@ in vec2 parameter;
 in float height;
 layout(location = 0) out vec4 colour;
 layout(binding = 2) uniform sampler2D foam_pattern;  // evenly distributed over 0 … 1
+layout(binding = 3) uniform sampler2D dry;  // 1 / distance to a hull's near side, distance to its far side
 
 // Open Atlantic water, a little green of plankton: absorption and backscattering in 1/m by linear RGB
 // (pure water of Pope & Fry 1997 and Morel 1974 plus chlorophyll 0.4 mg/m^3 after Morel & Maritorena
@@ -87,6 +88,8 @@ vec3 glitter(Surface surface, vec3 view, float shown_area, vec3 light, vec3 illu
 
 void main() {
   float distance = length(relative);
+  vec2 hull = texelFetch(dry, ivec2(gl_FragCoord.xy), 0).xy;
+  if (distance * hull.x > 1.0 && distance < hull.y) discard;
   vec3 view = -relative / distance;
   Surface surface = read_surface();
 

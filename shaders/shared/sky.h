@@ -15,12 +15,13 @@ struct SkyData {
   vec4 night;         // rgb: airglow at the zenith, cd/m^2; w: earthshine on the dark moon, cd/m^2
   vec4 observer;      // x: height km, y: sine, z: cosine of the horizon's dip, w: share of stars shown
   vec4 aerosol;       // xyz: struct Aerosol of lib/scattering.glsl; w: illuminance of a star of magnitude 0, lux
+  vec4 lights;        // x: 1 where the moon lights the sky visibly, else 0
   vec4 table_texels;  // xy: size of the sky views, zw: size of the transmittance table
   mat4 world_from_equatorial;  // turns the stars
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(SkyData) == 176);
+static_assert(sizeof(SkyData) == 192);
 }  // namespace offing::shared
 #else
 layout(std140, binding = OFFING_BIND_SKY) uniform SkyBlock { SkyData sky; };

@@ -20,8 +20,14 @@ vec3 sky_radiance(vec3 direction) {
   vec2 heading = direction.xz * inversesqrt(flat_length2);
   float above = max(direction.y * sky.observer.z + sqrt(flat_length2) * sky.observer.y, 0.0);
   vec4 sun = textureLod(sky_sun_table, sky_table_at(dot(heading, sky.azimuths.xy), above), 0.0);
-  vec3 moon = textureLod(sky_moon_table, sky_table_at(dot(heading, sky.azimuths.zw), above), 0.0).rgb;
-  return sun.rgb * sky.sun_source.rgb + moon * sky.moon_source.rgb + sun.a * sky.night.rgb;
+  vec3 radiance = sun.rgb * sky.sun_source.rgb + sun.a * sky.night.rgb;
+  // A loop that runs once or not at all, not an if: a CPU renderer runs both sides of an if, and by
+  // day half the cost of the sky would be a moon that nobody sees.
+  for (int i = 0; i < int(sky.lights.x); ++i) {
+    vec2 at = sky_table_at(dot(heading, sky.azimuths.zw), above);
+    radiance += textureLod(sky_moon_table, at, 0.0).rgb * sky.moon_source.rgb;
+  }
+  return radiance;
 }
 
 // Illuminance in lux of the sky without discs on a surface of this normal: the measured value of a

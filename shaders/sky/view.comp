@@ -1,6 +1,7 @@
 // The sky above the horizon for one light of 1 lux above the air. Depends on the light's elevation,
 // the observer's height and the air, on nothing else: azimuth and strength are the reader's business.
-// Alpha: what the air lets through of the night's glow, which lies above it, over its zenith value.
+// Alpha: the night's glow over its value above the air at the zenith: what gets through, and, in place
+// of what does not, glow scattered in from all over the sky.
 #include "sky/air_tables.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -43,5 +44,5 @@ void main() {
     transmittance *= step_transmittance;
   }
   float glow = dot(table_transmittance(height, max(cosine, -dip_sine)), vec3(0.2126, 0.7152, 0.0722));
-  imageStore(table, texel, vec4(max(radiance, vec3(0.0)), glow * van_rhijn(cosine)));
+  imageStore(table, texel, vec4(srgb_from_bands(radiance), glow * van_rhijn(cosine) + 0.8 * (1.0 - glow)));
 }

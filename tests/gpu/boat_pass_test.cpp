@@ -48,7 +48,6 @@ class BoatPicture : public test::GlTest {
         gl::Texture("depth", {.format = GL_DEPTH_COMPONENT32F, .width = kWidth, .height = kHeight});
     block_ = gl::Buffer("frame", sizeof(shared::FrameData));
     frame_.viewport = {kWidth, kHeight, 1.0f / kWidth, 1.0f / kHeight};
-    frame_.camera = {0.0f, 5.0f, 0.0f, kFieldOfView / kHeight};
     frame_.sun_direction = {0.0f, 1.0f, 0.0f, 1.0f};
     frame_.sun_illuminance = {90e3f, 90e3f, 90e3f, 1.0f};
     frame_.moon_direction = {0.0f, -1.0f, 0.0f, 1.0f};
@@ -63,6 +62,7 @@ class BoatPicture : public test::GlTest {
         reversed_projection(fov, static_cast<double>(kWidth) / kHeight, 0.1) *
         glm::lookAt(glm::vec3(0.0f), target - eye, up);
     frame_.relative_from_clip = glm::inverse(frame_.clip_from_relative);
+    frame_.camera = {0.0f, eye.y, 0.0f, fov / kHeight};
     eye_ = eye;
   }
 
