@@ -66,6 +66,11 @@ TEST(BoatPolar, BestCourseToWindwardHasNoScriptedEdge) {
   EXPECT_LT(v32, v40);
 }
 
+TEST(BoatPolar, NoSteadyHeadwayBelowTwentyDegrees) {
+  for (const double twa : {10.0, 15.0, 19.0}) EXPECT_LT(sail(12, twa).speed, 0.3) << twa;
+  EXPECT_GT(sail(12, 28).speed, 1.0);
+}
+
 TEST(BoatPolar, WeatherHelmIsLightAndGrowsWithHeel) {
   const double light = sail(12, 45).rudder, strong = sail(20, 45).rudder;
   EXPECT_GT(degrees(light), 0.0);
@@ -160,6 +165,23 @@ TEST(BoatSailing, TrimMakesHerFasterAndTellsWhatIsWrong) {
   EXPECT_EQ(good, Trouble::kNone);
   EXPECT_EQ(tight, Trouble::kStalled);
   EXPECT_TRUE(loose == Trouble::kLuffing || loose == Trouble::kGoingAstern) << name(loose);
+}
+
+TEST(BoatSailing, SheetsStayWhereAutomaticTrimLeftThem) {
+  const CalmWater water;
+  const SteadyWind wind(6.0, 0.0);
+  Boat boat;
+  boat.start({0.0, 0.0}, radians(120.0), 2.0, water, 0.0);
+  for (int i = 0; i < 30 * 120; ++i) boat.step(water, wind, i * kStep, kStep);
+  const double sheet = boat.state().mainsheet, boom = boat.state().boom_angle;
+  EXPECT_GT(sheet, 0.5);
+  boat.controls().auto_trim = false;
+  boat.step(water, wind, 30.0, kStep);
+  EXPECT_NEAR(boat.state().mainsheet, sheet, 1e-9);
+  boat.trim_main(-0.5);
+  for (int i = 0; i < 3 * 120; ++i) boat.step(water, wind, 30.0 + i * kStep, kStep);
+  EXPECT_NEAR(boat.state().mainsheet, sheet - 0.5, 1e-9);
+  EXPECT_LT(std::abs(boat.state().boom_angle), std::abs(boom));
 }
 
 TEST(BoatSailing, HeadToWindSheIsInIrons) {
