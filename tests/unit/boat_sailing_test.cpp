@@ -262,7 +262,7 @@ TEST(BoatSailing, FullPowerHeelsHerWithoutCapsizing) {
 }
 
 TEST(BoatSailing, TenMinutesInEverySea) {
-  for (const double hs : {0.0, 0.5, 1.0, 2.0, 4.0, 8.0}) {
+  for (const double hs : {0.0, 1.0, 4.0, 8.0}) {
     const SineSea sea(std::max(hs, 1e-9), std::max(3.0, 4.5 * std::sqrt(hs)), std::uint64_t{5});
     // The wind that raises such a sea (Hs = 0.21 U^2 / g), 24 kn at most.
     const double wind_speed = std::clamp(std::sqrt(hs * kGravity / 0.21), 4.0, 12.3);
@@ -294,7 +294,7 @@ TEST(BoatSailing, TheStepDoesNotDecideTheResult) {
     boat.start({0.0, 0.0}, radians(-60.0), 2.0, sea, 0.0);
     boat.hold_heading_at(radians(-60.0));
     double sum = 0.0, square = 0.0;
-    const int steps = static_cast<int>(300 * rate);
+    const int steps = static_cast<int>(200 * rate);
     for (int i = 0; i < steps; ++i) {
       boat.step(sea, wind, i / rate, 1.0 / rate);
       sum += boat.navigation().stw / steps;
