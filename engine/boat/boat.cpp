@@ -243,6 +243,10 @@ void Boat::actuate(double dt) {
   }
   sheet(state_.mainsheet, (order.main_sheet - rig.boom_least) / (rig.boom_stop - rig.boom_least));
   sheet(state_.jib_sheet, (order.jib_sheet - rig.jib_least) / (rig.jib_stop - rig.jib_least));
+  if (controls_.auto_trim) {  // whoever takes over the sheets finds them as they are
+    controls_.mainsheet = state_.mainsheet;
+    controls_.jib_sheet = state_.jib_sheet;
+  }
   state_.flat = approach(state_.flat, order.flat, kCut * dt);
   state_.reef = approach(state_.reef, order.reef, kReefing * dt);
   jib_aback_ = order.jib_aback;

@@ -21,7 +21,7 @@ namespace offing {
 /// What a player holds. Values out of range are cut, values that are not numbers count as 0.
 struct BoatControls {
   double rudder = 0.0;     ///< -1 bow to port (A) to +1 bow to starboard (D), self-centring
-  double mainsheet = 0.3;  ///< 0 in to 1 out
+  double mainsheet = 0.3;  ///< 0 in to 1 out; automatic trim keeps it up to date
   double jib_sheet = 0.2;  ///< 0 in to 1 out
   int reef = 0;            ///< 0 to 3
   double motor = 0.0;      ///< -1 to 1

@@ -66,6 +66,11 @@ TEST(BoatPolar, BestCourseToWindwardHasNoScriptedEdge) {
   EXPECT_LT(v32, v40);
 }
 
+TEST(BoatPolar, NoSteadyHeadwayBelowTwentyDegrees) {
+  for (const double twa : {10.0, 15.0, 19.0}) EXPECT_LT(sail(12, twa).speed, 0.3) << twa;
+  EXPECT_GT(sail(12, 28).speed, 1.0);
+}
+
 TEST(BoatPolar, WeatherHelmIsLightAndGrowsWithHeel) {
   const double light = sail(12, 45).rudder, strong = sail(20, 45).rudder;
   EXPECT_GT(degrees(light), 0.0);
@@ -162,6 +167,23 @@ TEST(BoatSailing, TrimMakesHerFasterAndTellsWhatIsWrong) {
   EXPECT_TRUE(loose == Trouble::kLuffing || loose == Trouble::kGoingAstern) << name(loose);
 }
 
+TEST(BoatSailing, SheetsStayWhereAutomaticTrimLeftThem) {
+  const CalmWater water;
+  const SteadyWind wind(6.0, 0.0);
+  Boat boat;
+  boat.start({0.0, 0.0}, radians(120.0), 2.0, water, 0.0);
+  for (int i = 0; i < 30 * 120; ++i) boat.step(water, wind, i * kStep, kStep);
+  const double sheet = boat.state().mainsheet, boom = boat.state().boom_angle;
+  EXPECT_GT(sheet, 0.5);
+  boat.controls().auto_trim = false;
+  boat.step(water, wind, 30.0, kStep);
+  EXPECT_NEAR(boat.state().mainsheet, sheet, 1e-9);
+  boat.trim_main(-0.5);
+  for (int i = 0; i < 3 * 120; ++i) boat.step(water, wind, 30.0 + i * kStep, kStep);
+  EXPECT_NEAR(boat.state().mainsheet, sheet - 0.5, 1e-9);
+  EXPECT_LT(std::abs(boat.state().boom_angle), std::abs(boom));
+}
+
 TEST(BoatSailing, HeadToWindSheIsInIrons) {
   const CalmWater water;
   const SteadyWind wind(6.0, 0.0);
@@ -240,7 +262,7 @@ TEST(BoatSailing, FullPowerHeelsHerWithoutCapsizing) {
 }
 
 TEST(BoatSailing, TenMinutesInEverySea) {
-  for (const double hs : {0.0, 0.5, 1.0, 2.0, 4.0, 8.0}) {
+  for (const double hs : {0.0, 1.0, 4.0, 8.0}) {
     const SineSea sea(std::max(hs, 1e-9), std::max(3.0, 4.5 * std::sqrt(hs)), std::uint64_t{5});
     // The wind that raises such a sea (Hs = 0.21 U^2 / g), 24 kn at most.
     const double wind_speed = std::clamp(std::sqrt(hs * kGravity / 0.21), 4.0, 12.3);
@@ -272,7 +294,7 @@ TEST(BoatSailing, TheStepDoesNotDecideTheResult) {
     boat.start({0.0, 0.0}, radians(-60.0), 2.0, sea, 0.0);
     boat.hold_heading_at(radians(-60.0));
     double sum = 0.0, square = 0.0;
-    const int steps = static_cast<int>(300 * rate);
+    const int steps = static_cast<int>(200 * rate);
     for (int i = 0; i < steps; ++i) {
       boat.step(sea, wind, i / rate, 1.0 / rate);
       sum += boat.navigation().stw / steps;

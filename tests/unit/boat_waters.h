@@ -24,7 +24,7 @@ class SineSea final : public WaterSurface {
   /// A wind sea from the north: Pierson-Moskowitz shape between 0.6 and 3 fp, significant height
   /// and peak period given, waves up to 35 degrees off the wind.
   SineSea(double significant_height, double peak_period, std::uint64_t seed) {
-    constexpr int kWaves = 24;
+    constexpr int kWaves = 16;
     double sum = 0.0;
     std::vector<double> energy(kWaves);
     for (int i = 0; i < kWaves; ++i) {
