@@ -9,7 +9,7 @@
 namespace offing::test {
 namespace {
 
-constexpr glm::ivec2 kSize{160, 90};
+constexpr glm::ivec2 kSize{240, 135};
 // One second at the sail, so that hull, cloth, foam and read-backs have moved on from the start.
 constexpr int kFrames = 20;
 constexpr double kFps = 20.0;
