@@ -216,7 +216,7 @@ TEST(BoatSailing, TacksInChopAndKeepsHerWay) {
       done = (i - start) * kStep;
     }
   }
-  EXPECT_GE(done, 4.0);
+  EXPECT_GE(done, 6.0);
   EXPECT_LE(done, 15.0);
   EXPECT_GT(slowest, 0.3 * before);
   EXPECT_LT(boom * boat.state().boom_angle, 0.0);
