@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/angles.h"
 #include "engine/core/random.h"
 #include "engine/ocean/foam_pattern.h"
 #include "shaders/shared/ocean.h"
@@ -15,7 +16,8 @@ namespace {
 
 constexpr GLuint kBlockBinding = 2;
 constexpr std::size_t kMaxSquares = 8192;
-constexpr double kFoamLength = 9.7;  // m; no multiple of a cascade's length
+constexpr double kFoamLength = 7.3;     // m across the wind; no multiple of a cascade's length
+constexpr double kFoamSoftness = 0.15;  // variance of the edge of foam over that of the Jacobian
 
 /// x with normal_below(x) = share.
 double normal_quantile(double share) {
@@ -25,6 +27,12 @@ double normal_quantile(double share) {
     (0.5 * std::erfc(-middle / std::sqrt(2.0)) < share ? low : high) = middle;
   }
   return low;
+}
+
+/// Bands of ripples do not break; with them the foam would be dots.
+double breaks(const CascadeBand& band) {
+  constexpr double kLongestRipple = 5.0;  // m
+  return band.k_min < kTau / kLongestRipple ? 1.0 : 0.0;
 }
 
 double fraction(double x) { return x - std::floor(x); }
@@ -106,6 +114,8 @@ void Ocean::set_sea(const SeaState& state, const Environment& environment, std::
   }
   statistics_ = spectrum.statistics();
   choppiness_ = state.choppiness;
+  wind_speed_ = speed;
+  wind_to_ = to;
   white_share_ = glsl::whitecap_share(speed);
   // Ripples that no cascade carries: what Cox and Munk saw beyond the waves we have.
   slope_variance_ = cox_munk(speed, to);
@@ -135,7 +145,7 @@ void Ocean::update_block(const OceanView& view) {
     const double x = std::cos(cascade.band.angle) / cascade.band.length;
     const double z = std::sin(cascade.band.angle) / cascade.band.length;
     const double point = cascade.band.length / cascade.size;
-    data.grid[c] = glm::vec4(glm::dvec4(x, z, std::log2(point), 0.0));
+    data.grid[c] = glm::vec4(glm::dvec4(x, z, std::log2(point), breaks(cascade.band)));
     // Map points lie at whole indices: shift by half a texel. Whole periods are dropped in double.
     const double half = 0.5 / cascade.size;
     data.origin[c] = glm::vec4(glm::dvec4(fraction(x * view.eye.x + z * view.eye.y + half),
@@ -150,10 +160,19 @@ void Ocean::update_block(const OceanView& view) {
   // The Jacobian is 1 + Dxx + Dzz to first order: normal with variance c^2 <|slope|^2>.
   const double deviation = choppiness_ * std::sqrt(carried);
   const double quantile = normal_quantile(std::clamp(white_share_, 1e-9, 0.5));
-  data.foam = glm::vec4(glm::dvec4(std::min(1.0 + quantile * deviation, 0.9),
-                                   choppiness_ * choppiness_, carried, white_share_));
-  data.foam_grid = glm::vec4(glm::dvec4(fraction(view.eye.x / kFoamLength),
-                                        fraction(view.eye.y / kFoamLength), 1.0 / kFoamLength, 0));
+  // Softening the edge by a share of that variance widens the whole distribution; so it is allowed
+  // for.
+  const double soft = kFoamSoftness * deviation * deviation;
+  data.foam =
+      glm::vec4(glm::dvec4(std::min(1.0 + quantile * std::sqrt(deviation * deviation + soft), 0.9),
+                           choppiness_ * choppiness_, carried, soft + 1e-4));
+  // Wind draws foam out into streaks.
+  const double stretch = 1.0 + wind_speed_ / 8.0;
+  const glm::dvec2 along = wind_to_ / (kFoamLength * stretch);
+  const double u = glm::dot(along, view.eye);
+  const double v = stretch * (along.x * view.eye.y - along.y * view.eye.x);
+  data.foam_grid = glm::vec4(glm::dvec4(fraction(u), fraction(v), along.x, along.y));
+  data.foam_stretch = glm::vec4(glm::dvec4(stretch, 0, 0, 0));
   data.water = glm::vec4(glm::dvec4(statistics_.hs, settings_.cascades,
                                     SeaMesh::kReach * settings_.mesh_cells, mesh_.finest_spacing));
   block_.write(data);

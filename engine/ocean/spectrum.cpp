@@ -142,7 +142,7 @@ std::vector<CascadeBand> choose_bands(const SeaSpectrum& spectrum, int count, in
   // The first patch holds a few of the longest waves, the last brings ripples to the viewer's feet;
   // the others lie between in equal ratios. The first is rounded to steps of sqrt(2), so that small
   // changes of the wind leave all lengths alone. Odd factors keep the periods incommensurate.
-  constexpr double kLast = 13.37;
+  constexpr double kLast = 10.37;
   const double wanted = std::clamp(5.0 * spectrum.longest_peak(), 256.0, 3000.0);
   const double first = 1.0193 * std::exp2(std::ceil(2.0 * std::log2(wanted)) / 2.0);
   std::vector<CascadeBand> bands(static_cast<std::size_t>(count));

@@ -18,14 +18,14 @@ layout(binding = 3) uniform sampler2D dry;  // 1 / distance to a hull's near sid
 // (pure water of Pope & Fry 1997 and Morel 1974 plus chlorophyll 0.4 mg/m^3 after Morel & Maritorena
 // 2001, averaged over the primaries).
 const vec3 kAbsorption = vec3(0.350, 0.068, 0.046);
-const vec3 kBackscatter = vec3(0.0013, 0.0018, 0.0026);
+const vec3 kBackscatter = vec3(0.0024, 0.0036, 0.0050);
 const float kFoamAlbedo = 0.55;  // fresh whitecaps, Koepke 1984
 
 struct Surface {
   vec2 slope;       // mean slope in the pixel, in space
   vec3 covariance;  // of the slopes within the pixel: xx, zz, xz
-  float jacobian;
-  float unresolved; // share of the Jacobian's variance that is finer than the pixel
+  float jacobian;    // of the summed waves of foam size and longer
+  float unresolved;  // variance of the Jacobian that this leaves out
 };
 
 Surface read_surface() {
@@ -36,6 +36,7 @@ Surface read_surface() {
   float footprint = max(max(shorter, longer / FOOTPRINT_RATIO), 1.0e-3);
 
   vec4 sum = vec4(0.0);
+  vec3 squeeze = vec3(0.0);  // Dxx, Dzz, Dxz of waves long enough to break
   float cross_term = 0.0, shown = 0.0;
   vec3 resolved = vec3(0.0);
   int cascades = int(ocean.water.y);
@@ -44,17 +45,21 @@ Surface read_surface() {
     float share = sea_map_share(level);
     if (share <= 0.0) continue;
     vec3 place = sea_map_place(c, parameter);
-    sum += share * textureLod(sea_slopes, place, level);
-    cross_term += share * textureLod(sea_displacement, place, level).w;
+    vec4 slopes = share * textureLod(sea_slopes, place, level);
+    float mixed = share * textureLod(sea_displacement, place, level).w;
+    sum += slopes;
+    cross_term += mixed;
+    float breaks = ocean.grid[c].w;
+    squeeze += breaks * vec3(slopes.zw, mixed);
     float entry = min(level, float(kOceanMapLevels - 1));
     int first = c * kOceanMapLevels + min(int(entry), kOceanMapLevels - 2);
     vec4 kept = share * share *
                 mix(ocean.resolved[first], ocean.resolved[first + 1], entry - floor(entry));
     resolved += kept.xyz;
-    shown += kept.w;
+    shown += breaks * kept.w;
   }
   Surface surface;
-  surface.jacobian = surface_jacobian(sum.z, sum.w, cross_term);
+  surface.jacobian = surface_jacobian(squeeze.x, squeeze.y, squeeze.z);
   surface.slope = surface_slope(sum.x, sum.y, sum.z, sum.w, cross_term);
   surface.covariance = max(ocean.variance.xyz - resolved, vec3(4.0e-4, 4.0e-4, -1.0));
   float bound = 0.9 * sqrt(surface.covariance.x * surface.covariance.y);
@@ -133,15 +138,21 @@ void main() {
   radiance += glitter(surface, view, facets.area, frame.moon_direction.xyz, moon);
 
   // Foam where the summed surface is squeezed below what the wind's share of white water asks for; what
-  // the pixel cannot resolve is the part of the Jacobian's distribution below that, so a far sea keeps
-  // the same share of white.
-  float spread = sqrt(surface.unresolved + 0.0016);
+  // is too fine for the pixel, or for foam, is the part of the Jacobian's distribution below that, so
+  // a far sea keeps the same share of white. A pattern that drifts with the water breaks it up.
+  float spread = sqrt(surface.unresolved + ocean.foam.w);
   float coverage = normal_below((ocean.foam.x - surface.jacobian) / spread);
-  vec2 at = ocean.foam_grid.xy + parameter * ocean.foam_grid.z;
-  float pattern = texture(foam_pattern, at).r;
-  float softness = min(0.15, coverage);
-  float broken = smoothstep(1.0 - coverage - softness, 1.0 - coverage + softness, pattern);
-  float foam = mix(broken, coverage, smoothstep(60.0, 300.0, distance));
+  vec2 along = ocean.foam_grid.zw;
+  vec2 at = ocean.foam_grid.xy + vec2(dot(along, parameter), ocean.foam_stretch.x *
+            (along.x * parameter.y - along.y * parameter.x));
+  float pattern = 0.5 * (texture(foam_pattern, at).r + texture(foam_pattern, 2.7 * at.yx).r);
+  // The mean of two even distributions is triangular: even it out again.
+  pattern = pattern < 0.5 ? 2.0 * pattern * pattern : 1.0 - 2.0 * (1.0 - pattern) * (1.0 - pattern);
+  // A thin veil, and inside it the thick white of what breaks now.
+  vec2 edge = vec2(1.0) - coverage * vec2(1.0, 0.6);
+  vec2 softness = vec2(min(0.2, coverage));
+  vec2 layers = smoothstep(edge - softness, edge + softness, vec2(pattern));
+  float foam = mix(dot(layers, vec2(0.45, 0.55)), 0.8 * coverage, smoothstep(40.0, 250.0, distance));
   vec3 white = kFoamAlbedo / kWaterPi *
                (sun * max(dot(up, frame.sun_direction.xyz), 0.0) + from_sky * (0.5 + 0.5 * up.y) +
                 moon * max(dot(up, frame.moon_direction.xyz), 0.0));
