@@ -55,7 +55,7 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
     : settings_(settings),
       maps_(shaders, settings.cascades, settings.size),
       readback_(std::min(settings.readback_cascades, settings.cascades), settings.size),
-      mesh_{.cells = settings.mesh_cells, .finest_spacing = 2.0 / settings.mesh_cells},
+      mesh_{.cells = settings.mesh_cells, .finest_spacing = 3.2 / settings.mesh_cells},
       surface_(shaders.program({"ocean/surface.vert", "ocean/surface.frag"},
                                {{"MORPH", std::to_string(SeaMesh::kMorph)},
                                 {"FOOTPRINT_RATIO", settings.mesh_cells <= 8 ? "3.0" : "4.0"}})),

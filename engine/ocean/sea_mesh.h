@@ -15,11 +15,14 @@ inline constexpr double kEarthRadius = 6371.0e3;  ///< m
 /// sixth of that distance and its end the vertex shader moves odd vertices onto the coarser grid,
 /// so that levels meet without a gap or a jump (Strugar 2010).
 struct SeaMesh {
-  static constexpr double kReach = 4.0;   ///< sides of a square up to which it is used
-  static constexpr double kMorph = 0.85;  ///< share of that at which morphing starts
+  // Squares of the next level can begin as far out as 1 + 2 sqrt(2) / kReach of a level's reach;
+  // they must not have begun to morph there: that is at most 2 kMorph.
+  static constexpr double kReach = 3.4;   ///< sides of a square up to which it is used
+  static constexpr double kMorph = 0.92;  ///< share of that at which morphing starts
+  static_assert(1.0 + 2.0 * 1.41422 / kReach <= 2.0 * kMorph);
 
-  int cells = 8;                 ///< per side of a square; even
-  double finest_spacing = 0.25;  ///< m
+  int cells = 8;                ///< per side of a square; even
+  double finest_spacing = 0.4;  ///< m
 
   /// x, z of the corner relative to the camera (m), spacing (m), distance where morphing ends (m).
   using Square = glm::vec4;

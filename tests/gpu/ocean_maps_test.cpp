@@ -1,14 +1,15 @@
 #include <fftw3.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <complex>
+#include <span>
 
 #include "engine/core/angles.h"
-#include "engine/core/random.h"
 #include "engine/graph/gl_device.h"
 #include "engine/ocean/direct_water.h"
+#include "engine/ocean/ocean.h"
+#include "engine/ocean/ocean_export.h"
 #include "engine/ocean/sea_maps.h"
 #include "support/gl_test.h"
 
@@ -113,26 +114,207 @@ TEST_F(OceanMaps, TransformAgreesWithFftw) {
       for (int field = 0; field < 8; ++field) {
         const auto truth = field_by_fftw(cascades[layer], time, 0.9, field);
         const double snr = snr_db(truth, field < 4 ? displacement : slopes, layer, field % 4);
-        // Single precision with two exact-table steps; half-float storage has 11 bits.
-        EXPECT_GT(snr, field < 4 ? 110.0 : 66.0) << size << " cascade " << c << " field " << field;
+        // Single precision; Dxz shares a transform with the larger Dz; half floats have 11 bits.
+        EXPECT_GT(snr, field == 3  ? 110.0
+                       : field < 4 ? 120.0
+                                   : 66.0)
+            << size << " cascade " << c << " field " << field;
       }
     }
   }
 }
 
-TEST_F(OceanMaps, Timing) {
-  for (const int size : {128, 256}) {
-    const auto cascades = make_sea(3, size, 12.0, 7);
-    SeaMaps maps(*shaders_, 3, size);
-    maps.set_waves(cascades, 0.9);
-    graph_->set_timing(true);
-    graph_->reset_report();
-    run(maps,0.05); glFinish(); auto c0=clock(); for (int i = 0; i < 40; ++i) run(maps, 0.1 * i);
- glFinish(); printf("%d cpu %.2f ms/2\n", size, double(clock()-c0)/CLOCKS_PER_SEC*1e3/40/2);
-    for (const auto& pass : graph_->report()) {
-      auto ms = pass.milliseconds;
-      std::sort(ms.begin(), ms.end());
-      if (!ms.empty()) printf("%d %s %.2f ms\n", size, pass.name.c_str(), ms[0]);
+// Bilinear weights would hide what is asked here, so points of the grid are compared.
+TEST_F(OceanMaps, AgreeWithTheDirectSumAfterThirtyDays) {
+  const auto cascades = make_sea(3, 64, 10.0, 11);
+  const DirectWater direct(cascades, 1.0);
+  SeaMaps maps(*shaders_, 3, 64);
+  maps.set_waves(cascades, 1.0);
+  for (const double time : {0.0, 3600.5, 30.0 * 86400.0 + 0.123, -500.0}) {
+    run(maps, time);
+    const auto values = maps.displacement().read_floats(4);
+    double error = 0.0, height = 0.0;
+    int count = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const DirectWater one(std::span<const Cascade>(cascades).subspan(c, 1), 1.0);
+      for (int i = 0; i < 40; ++i) {
+        const int x = (i * 23) % 64, z = (i * 41) % 64;
+        const CascadeBand& band = cascades[c].band;
+        const double u = band.length * x / 64.0, v = band.length * z / 64.0;
+        const double cosine = std::cos(band.angle), sine = std::sin(band.angle);
+        const std::vector<glm::dvec2> q = {{cosine * u - sine * v, sine * u + cosine * v}};
+        const auto truth = one.at_parameter(q, time)[0].displacement;
+        const std::size_t at =
+            ((c * 64 + static_cast<std::size_t>(z)) * 64 + static_cast<std::size_t>(x)) * 4;
+        for (int k = 0; k < 3; ++k) {
+          error += std::pow(values[at + static_cast<std::size_t>(k)] - truth[k], 2);
+          height += truth[k] * truth[k];
+          ++count;
+        }
+      }
+    }
+    // A tenth of a millimetre is far below what single precision is asked to keep of 2 m waves.
+    EXPECT_LT(std::sqrt(error / count), 1e-4) << time;
+    EXPECT_GT(std::sqrt(height / count), 0.05);
+  }
+}
+
+TEST_F(OceanMaps, CoarserLevelsAreMeansOfTheirPoints) {
+  const auto cascades = make_sea(2, 64, 10.0, 4);
+  SeaMaps maps(*shaders_, 2, 64);
+  maps.set_waves(cascades, 1.0);
+  run(maps, 3.0);
+  const auto fine = maps.displacement().read_floats(4);
+  for (int level = 1; level < 6; ++level) {
+    const auto coarse = maps.displacement().read_floats(4, level);
+    const int size = 64 >> level, block = 1 << level;
+    for (int i = 0; i < 20; ++i) {
+      const int layer = i % 2, x = (i * 7) % size, z = (i * 13) % size;
+      double mean = 0.0;
+      for (int b = 0; b < block * block; ++b) {
+        const int at = (layer * 64 + z * block + b / block) * 64 + x * block + b % block;
+        mean += static_cast<double>(fine[static_cast<std::size_t>(at) * 4 + 1]) / (block * block);
+      }
+      const int at = (layer * size + z) * size + x;
+      EXPECT_NEAR(coarse[static_cast<std::size_t>(at) * 4 + 1], mean, 1e-5) << level;
+    }
+  }
+}
+
+class OceanFrame : public OceanMaps {
+ protected:
+  const PassReport& report(const std::string& name) {
+    for (const PassReport& pass : graph_->report()) {
+      if (pass.name == name) return pass;
+    }
+    throw std::runtime_error("no pass " + name);
+  }
+};
+
+TEST_F(OceanFrame, PausedSeaIsCachedAndUnseenSeaIsNotComputed) {
+  Ocean ocean(*shaders_, {.cascades = 2, .size = 64});
+  Environment environment;
+  ocean.set_sea({}, environment, 1);
+  const auto frame = [&](double time, bool visible, bool readback) {
+    graph_->begin_frame();
+    const SeaIds sea = ocean.add_maps(*graph_, time, readback);
+    if (visible) {
+      graph_->add(
+          "look", [&](PassBuilder& pass) { pass.read(sea.displacement).side_effect(); },
+          [](PassContext&) {});
+    }
+    graph_->execute();
+    ocean.collect();
+  };
+  frame(1.0, true, false);
+  frame(1.0, true, false);
+  frame(1.0, true, false);
+  EXPECT_EQ(report("sea.spectrum").ran, 1);
+  EXPECT_EQ(report("sea.fft").ran, 1);
+  EXPECT_EQ(report("sea.fft").cached, 2);
+  EXPECT_EQ(report("sea.maps").cached, 2);
+  frame(2.0, true, false);
+  EXPECT_EQ(report("sea.spectrum").ran, 1);
+  EXPECT_EQ(report("sea.fft").ran, 2);
+  graph_->reset_report();
+  frame(3.0, false, false);  // nobody looks and nothing floats
+  EXPECT_EQ(report("sea.fft").ran, 0);
+  EXPECT_EQ(report("sea.fft").culled, 1);
+  frame(3.0, false, true);  // something floats
+  EXPECT_EQ(report("sea.fft").ran, 1);
+  frame(3.0, false, true);  // this moment has been asked for
+  EXPECT_EQ(report("sea.readback").skipped, 1);
+  EXPECT_EQ(report("sea.fft").ran, 1);
+  environment.wind.speed += 2.0;
+  ocean.set_sea({}, environment, 1);
+  frame(3.0, true, false);
+  EXPECT_EQ(report("sea.spectrum").ran, 1);
+  EXPECT_EQ(report("sea.fft").ran, 2);
+}
+
+TEST_F(OceanFrame, ReadBackHeightsAgreeWithTheDirectSum) {
+  Ocean ocean(*shaders_, {.cascades = 2, .size = 64, .readback_cascades = 2});
+  Environment environment;
+  environment.wind.speed = 10.0;
+  SeaState state;
+  state.choppiness = 0.8;
+  ocean.set_sea(state, environment, 9);
+  const DirectWater direct(ocean.cascades(), state.choppiness);
+  std::vector<glm::dvec2> places;
+  for (int i = 0; i < 60; ++i) places.emplace_back(17.31 * i - 300.0, 1e5 - 23.7 * i);
+  std::vector<WaterSample> got(places.size()), truth(places.size());
+
+  ocean.water().sample(places, 0.0, got);  // before anything has arrived: flat
+  EXPECT_EQ(got[5].height, 0.0);
+
+  const double step = 1.0 / 60.0;
+  for (int frame = 0; frame < 3; ++frame) {
+    graph_->begin_frame();
+    ocean.add_maps(*graph_, 100.0 + frame * step);
+    graph_->execute();
+    glFinish();
+    ocean.collect();
+  }
+  EXPECT_DOUBLE_EQ(ocean.water().newest_time(), 100.0 + 2.0 * step);
+  for (const double late : {0.0, 1.0 / 60.0, 2.0 / 60.0}) {
+    const double time = ocean.water().newest_time() + late;
+    ocean.water().sample(places, time, got);
+    direct.sample(places, time, truth);
+    double height = 0.0, normal = 0.0, velocity = 0.0, speed = 0.0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      height += std::pow(got[i].height - truth[i].height, 2);
+      normal += std::pow(glm::length(got[i].normal - truth[i].normal), 2);
+      velocity += std::pow(glm::length(got[i].velocity - truth[i].velocity), 2);
+      speed += std::pow(glm::length(truth[i].velocity), 2);
+    }
+    const double n = static_cast<double>(places.size());
+    EXPECT_LT(std::sqrt(height / n), 0.015) << late;
+    EXPECT_LT(std::sqrt(normal / n), 0.03) << late;
+    // The difference of two moments lies half a step back and is not extrapolated.
+    EXPECT_LT(std::sqrt(velocity / speed), 0.02 + 4.0 * (late + 0.5 * step)) << late;
+  }
+}
+
+TEST_F(OceanFrame, ExportedMapsHaveTheVarianceOfTheirBands) {
+  Ocean ocean(*shaders_, {.cascades = 3, .size = 64});
+  Environment environment;
+  environment.wind.speed = 10.0;
+  SeaState state;
+  state.swell.height = 0.0;
+  // The mean over a patch varies from seed to seed as the few longest waves do; an ensemble of
+  // sixteen leaves 2 % of the height.
+  double variance = 0.0, slopes = 0.0, expected = 0.0, expected_slopes = 0.0;
+  for (std::uint64_t seed = 0; seed < 16; ++seed) {
+    ocean.set_sea(state, environment, seed);
+    for (const auto& cascade : export_cascades(ocean, *graph_, 40.0)) {
+      variance += cascade.variance;
+      slopes += cascade.slope_variance;
+    }
+    expected += ocean.carried_variance();
+    for (const auto& cascade : ocean.cascades()) expected_slopes += cascade.resolved[0].total();
+  }
+  EXPECT_NEAR(std::sqrt(variance / expected), 1.0, 0.05);
+  EXPECT_NEAR(slopes / expected_slopes, 1.0, 0.05);
+}
+
+TEST_F(OceanFrame, EveryLimitGivesFiniteMaps) {
+  Ocean ocean(*shaders_, {.cascades = 3, .size = 64});
+  Environment environment;
+  for (const double wind : {0.0, 60.0}) {
+    for (const double depth : {0.5, 1e4}) {
+      environment.wind.speed = wind;
+      SeaState state;
+      state.fetch_km = 2000.0;
+      state.depth_m = depth;
+      state.choppiness = 1.5;
+      state.swell = {.height = wind > 0.0 ? 15.0 : 0.0, .period = 25.0, .from_deg = 0.0};
+      ocean.set_sea(state, environment, 2);
+      for (const auto& cascade : export_cascades(ocean, *graph_, 1e6)) {
+        for (const auto* map : {&cascade.dx, &cascade.dy, &cascade.dz, &cascade.slope_x,
+                                &cascade.slope_z, &cascade.jacobian}) {
+          for (const float value : *map) ASSERT_TRUE(std::isfinite(value));
+        }
+      }
     }
   }
 }

@@ -129,7 +129,7 @@ TEST(Cascades, AFinerGridKeepsTheLongWaves) {
 }
 
 TEST(Cascades, EveryLimitGivesAFiniteSea) {
-  for (const double wind : {0.0, 0.05, 0.5, 60.0}) {
+  for (const double wind : {0.0, 0.2, 60.0}) {
     for (const double fetch : {1.0, 2000.0}) {
       for (const double depth : {0.5, 1e4}) {
         for (const int spectrum : {kPiersonMoskowitz, kJonswap, kTma}) {
@@ -139,7 +139,7 @@ TEST(Cascades, EveryLimitGivesAFiniteSea) {
             state.swell = {.height = 15.0, .period = wind > 1.0 ? 25.0 : 3.0, .from_deg = 0.0};
             const SeaSpectrum sea(state, wind, {0, 1});
             EXPECT_TRUE(std::isfinite(sea.statistics().m0 + sea.statistics().mean_square_slope));
-            for (const auto& cascade : cascades_of(sea, 2, 64, 1)) {
+            for (const auto& cascade : cascades_of(sea, 1, 64, 1)) {
               double sum = cascade.variance + cascade.resolved[0].total();
               for (const auto& h0 : cascade.h0) sum += std::abs(h0);
               ASSERT_TRUE(std::isfinite(sum))
@@ -248,9 +248,9 @@ TEST(SeaMesh, ReachesTheHorizonAndStaysWithinItsBudget) {
   clip[2][3] = -1.0f;
   clip[3][2] = 0.15f;
   for (const double height : {2.0, 6.0, 100.0, 500.0}) {
-    const SeaMesh mesh{.cells = 8, .finest_spacing = 0.25};
+    const SeaMesh mesh{.cells = 8, .finest_spacing = 0.4};
     const auto squares = mesh.select({1e6 + 0.3, -3e5}, height, 2.0, clip);
-    EXPECT_LT(squares.size() * 81, 20000u) << height;
+    EXPECT_LT(squares.size() * 81, 18000u) << height;
     double reach = 0.0;
     for (const auto& s : squares) {
       reach = std::max(reach, static_cast<double>(-s.y));

@@ -662,7 +662,7 @@ MATERIALS = [
     material("varnish", (0.165, 0.048, 0.016), 0.20),
     material("aluminium", (0.66, 0.67, 0.68), 0.40, 0.35),
     material("steel", (0.66, 0.66, 0.67), 0.24, 1.0),
-    material("wire", (0.60, 0.60, 0.61), 0.40, 1.0),
+    material("wire", (0.42, 0.42, 0.43), 0.70, 0.3),
     material("window", (0.010, 0.012, 0.016), 0.08),
     material("black", (0.018, 0.018, 0.020), 0.50),
     material("sail", (0.80, 0.79, 0.75), 0.80, doubleSided=True),
