@@ -21,9 +21,13 @@ namespace fs = std::filesystem;
 const fs::path kReferences = fs::path(OFFING_TEST_DATA) / "golden" / "references";
 const fs::path kOutput = fs::path(OFFING_TEST_OUTPUT) / "golden";
 
-// Two pictures of one view count as the same up to these.
+// Two pictures of one view count as the same up to these. The same binary and driver give 0. Other
+// compilers and drivers round otherwise: heading, speed and wind that are 10⁻⁶ off give a mean of
+// 0.0002 and a 99th percentile of 0.004; outlines that fall otherwise by a twentieth of a pixel
+// (0.02° more field of view), 0.009 and 0.05. Twice and three times that is let through. The least
+// faults that the tests below make give 0.027 or 0.4.
 constexpr double kMean = 0.02;
-constexpr double kPercentile99 = 0.25;
+constexpr double kPercentile99 = 0.15;
 
 bool same(const FlipResult& flip) {
   return flip.mean < kMean && flip.percentile_99 < kPercentile99;
@@ -85,6 +89,76 @@ TEST_P(Golden, LooksAsItsReferenceDoes) {
   write_image(kOutput / (view.name + ".error.png"), flip.error_map);
   ADD_FAILURE() << view.name << ": " << numbers_of(flip) << "\nlook at " << kOutput.string() << "/"
                 << view.name << "{,.reference,.error}.png\nmade by: " << command_of(view);
+}
+
+// ---- what the tolerances are worth --------------------------------------------------------------
+
+// Each pixel of the result from the picture and a place in it.
+Image changed(const Image& image, const std::function<float(int x, int y, int channel)>& value) {
+  Image result = image;
+  std::size_t i = 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      for (int c = 0; c < image.channels; ++c) result.pixels[i++] = value(x, y, c);
+    }
+  }
+  return result;
+}
+
+// A fault in any view would be caught, as far as damage to its reference can stand for one.
+TEST_P(Golden, ADamagedPictureIsNotTheSame) {
+  const Image reference = read_image(reference_file(GetParam()));
+  const auto at = [&](int x, int y, int c) {
+    x = std::clamp(x, 0, reference.width - 1);
+    y = std::clamp(y, 0, reference.height - 1);
+    return reference
+        .pixels[static_cast<std::size_t>((y * reference.width + x) * reference.channels + c)];
+  };
+  ASSERT_TRUE(same(flip_ldr(reference, reference)));
+  std::mt19937 random(7);
+  const struct {
+    const char* what;
+    std::function<float(int, int, int)> value;
+  } damages[] = {
+      {"two pixels to the right", [&](int x, int y, int c) { return at(x - 2, y, c); }},
+      {"one pixel down", [&](int x, int y, int c) { return at(x, y - 1, c); }},
+      {"a twentieth brighter", [&](int x, int y, int c) { return 1.05f * at(x, y, c); }},
+      {"a twentieth less blue",
+       [&](int x, int y, int c) { return (c == 2 ? 0.95f : 1.0f) * at(x, y, c); }},
+      {"noisy",
+       [&](int x, int y, int c) {
+         return at(x, y, c) + (static_cast<float>(random()) / 4294967296.0f - 0.5f) * 0.1f;
+       }},
+      {"mirrored", [&](int x, int y, int c) { return at(reference.width - 1 - x, y, c); }},
+      {"a hole in the middle", [&](int x, int y, int c) {
+         const bool hole =
+             std::abs(x - reference.width / 2) < 12 && std::abs(y - reference.height / 2) < 12;
+         return hole ? 0.0f : at(x, y, c);
+       }}};
+  for (const auto& damage : damages) {
+    const FlipResult flip = flip_ldr(reference, changed(reference, damage.value));
+    EXPECT_FALSE(same(flip)) << damage.what << ": " << numbers_of(flip);
+  }
+}
+
+// And so would a scene that is not quite the one asked for.
+TEST(GoldenScene, AnotherSceneIsNotTheSame) {
+  if (!reads_pictures()) GTEST_SKIP() << "this build has no OpenImageIO";
+  View view = views().front();
+  const Image reference = read_image(reference_file(view));
+  for (const char* set : {"seed=2", "environment.wind.from=55", "environment.wind.speed=9",
+                          "environment.time=16:45:00", "environment.haze=0.2",
+                          "sea.swell.height=1.2", "boat.heading=305", "camera.fov=56"}) {
+    view.sets = {set};
+    Image picture;
+    try {
+      picture = render_view(view);
+    } catch (const InputError& error) {
+      GTEST_SKIP() << error.what();
+    }
+    const FlipResult flip = flip_ldr(reference, picture);
+    EXPECT_FALSE(same(flip)) << set << ": " << numbers_of(flip);
+  }
 }
 
 }  // namespace

@@ -22,10 +22,10 @@ const std::vector<View>& views() {
       {"helm", "default", {"camera.mode=helm"}},
       // The sun stands 5.6° high in azimuth 285°, behind the boat.
       {"sunset", "sunset", {"camera.mode=free", "camera.position=21,4,5.7", "camera.target=0,5,0"}},
-      // The moon stands 36° high in azimuth 149°; the glade lies under it.
+      // The moon stands 36° high in azimuth 149°; the glade lies under it, right of the boat.
       {"moonlight",
        "moonlight",
-       {"camera.mode=free", "camera.position=-11,5,-19", "camera.target=0,7,0", "camera.fov=85"}},
+       {"camera.mode=free", "camera.position=-17,5,-10", "camera.target=-4,7,6", "camera.fov=80"}},
       {"gale", "gale"},
       {"above",
        "default",
@@ -45,7 +45,6 @@ Image render_view(const View& view) {
   options.scene = view.scene;
   options.sets = view.sets;
   options.quality = "low";
-  options.seed = 1;
   options.fps = kFps;
   Voyage voyage(options, kSize);
   for (int frame = 0; frame < kFrames; ++frame) voyage.next_frame();
@@ -56,7 +55,7 @@ Image render_view(const View& view) {
 
 std::string command_of(const View& view) {
   std::string command = fmt::format(
-      "offing render --scene {} --quality low --seed 1 --fps {} --size {}x{} --warmup {} --out "
+      "offing render --scene {} --quality low --fps {} --size {}x{} --warmup {} --out "
       "{}.png",
       view.scene, kFps, kSize.x, kSize.y, kFrames - 1, view.name);
   for (const std::string& set : view.sets) command += " --set " + set;
