@@ -53,8 +53,11 @@ TrimOrder AutoTrim::step(const RigParameters& rig, const TrimView& view, double 
   const double spill = std::clamp(std::abs(view.heel) - kMostHeel - radians(4.0), 0.0, 0.35);
   // Sliding sideways, less press brings her to go ahead again.
   const double slide = std::clamp(std::abs(view.leeway) - radians(12.0), 0.0, radians(45.0));
-  order.main_sheet =
-      std::clamp(apparent_ - kBestAttack + spill + slide, rig.boom_least, rig.boom_stop);
+  // The main aft of the mast holds her up to the wind: ease it to bear away.
+  const double away = std::max(view.apparent < 0.0 ? -view.turn : view.turn, 0.0);
+  const double bear_away = radians(25.0) * std::max(away - 0.2, 0.0);
+  order.main_sheet = std::clamp(apparent_ - kBestAttack + spill + slide + bear_away, rig.boom_least,
+                                rig.boom_stop);
   order.jib_sheet = std::clamp(apparent_ - kBestAttack, rig.jib_least, rig.jib_stop);
 
   const bool in_irons = view.speed < 0.5 && apparent_ < radians(24.0);

@@ -85,8 +85,7 @@ Boat::Boat(const R8Parameters& parameters)
   const Immersion canoe = immerse_level(hull_.shape(), 0.0);
   const double volume = canoe.volume + p_.keel_volume;
   const glm::dvec3 buoyancy =
-      (canoe.volume * canoe.centroid + p_.keel_volume * glm::dvec3(0.0, -0.85, canoe.centroid.z)) /
-      volume;
+      (canoe.volume * canoe.centroid + p_.keel_volume * p_.keel_place) / volume;
   const double metacentre = buoyancy.y + canoe.transverse_inertia / volume;
   centre_ = {0.0, metacentre - p_.metacentric_height, buoyancy.z};
 
@@ -186,11 +185,6 @@ HelmView Boat::helm_view() const {
           navigation_.twd,     free_rudder_,          p_.rudder_most};
 }
 
-double Boat::energy() const {
-  const double height = motion_.position.y - (motion_.orientation * centre_).y;
-  return body_.kinetic_energy(motion_) + p_.mass * kGravity * height;
-}
-
 void Boat::set_external_force(glm::dvec3 force, glm::dvec3 place) {
   external_force_ = force;
   external_place_ = place;
@@ -204,6 +198,7 @@ void Boat::displace(glm::dvec3 shift, double heel, double pitch) {
   motion_.velocity = motion_.angular_velocity = glm::dvec3(0.0);
   state_.position = foot;
   state_.orientation = motion_.orientation;
+  navigate();
 }
 
 glm::dvec3 Boat::point_velocity(const glm::dvec3& place) const {
@@ -248,6 +243,10 @@ void Boat::actuate(double dt) {
   }
   sheet(state_.mainsheet, (order.main_sheet - rig.boom_least) / (rig.boom_stop - rig.boom_least));
   sheet(state_.jib_sheet, (order.jib_sheet - rig.jib_least) / (rig.jib_stop - rig.jib_least));
+  if (controls_.auto_trim) {  // whoever takes over the sheets finds them as they are
+    controls_.mainsheet = state_.mainsheet;
+    controls_.jib_sheet = state_.jib_sheet;
+  }
   state_.flat = approach(state_.flat, order.flat, kCut * dt);
   state_.reef = approach(state_.reef, order.reef, kReefing * dt);
   jib_aback_ = order.jib_aback;

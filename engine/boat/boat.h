@@ -21,7 +21,7 @@ namespace offing {
 /// What a player holds. Values out of range are cut, values that are not numbers count as 0.
 struct BoatControls {
   double rudder = 0.0;     ///< -1 bow to port (A) to +1 bow to starboard (D), self-centring
-  double mainsheet = 0.3;  ///< 0 in to 1 out
+  double mainsheet = 0.3;  ///< 0 in to 1 out; automatic trim keeps it up to date
   double jib_sheet = 0.2;  ///< 0 in to 1 out
   int reef = 0;            ///< 0 to 3
   double motor = 0.0;      ///< -1 to 1
@@ -99,8 +99,8 @@ class Boat {
   const Hull& hull() const { return hull_; }
   /// How often a limit had to step in since start(): 0 in honest work.
   long limit_hits() const { return limits_ + probe_.limits() - probe_limits_at_start_; }
-  /// Kinetic (added mass included) and potential energy over the mean water level, J.
-  double energy() const;
+  /// Added mass included, J.
+  double kinetic_energy() const { return body_.kinetic_energy(motion_); }
 
   /// An extra force (N, boat axes) at a place in the boat frame, applied every step: a tow, a test.
   void set_external_force(glm::dvec3 force, glm::dvec3 place);

@@ -53,7 +53,7 @@ double Helmsman::wanted(const HelmView& view, double dt) {
     constexpr double kMeet = 0.45;  // rad before the new heading where the helm is met
     const bool there = std::abs(error) < kMeet + 0.4 * std::abs(view.turn_rate);
     if (!there) {
-      const double helm = turn_ * (task_ == Task::kTack ? 0.8 : 0.55);
+      const double helm = 0.55 * turn_;
       return astern ? -helm : helm;
     }
     task_ = Task::kHold;

@@ -25,6 +25,7 @@ SteadySailing sail_steadily(const R8Parameters& parameters, double tws, double t
   for (int w = 0; w < windows; ++w) {
     mean = SteadySailing{};
     bool recovered = false;
+    double slowest = 1e9, fastest = -1e9;
     for (int i = 0; i < window; ++i) {
       boat.step(water, wind, dt * (w * window + i), dt);
       const Navigation& n = boat.navigation();
@@ -32,6 +33,8 @@ SteadySailing sail_steadily(const R8Parameters& parameters, double tws, double t
       // The course through the water is what lies at `twa`: the bow points higher by the leeway.
       drift += (std::clamp(n.leeway, -kMostDrift, kMostDrift) - drift) * (dt / kDriftTime);
       boat.hold_heading_at(-twa - drift);
+      slowest = std::min(slowest, n.stw);
+      fastest = std::max(fastest, n.stw);
       mean.speed += n.stw / window;
       mean.vmg += n.vmg / window;
       mean.heel += std::abs(n.heel) / window;
@@ -40,12 +43,13 @@ SteadySailing sail_steadily(const R8Parameters& parameters, double tws, double t
       // Weather helm: she wants up, to the side of the wind; the rudder holds her off.
       mean.rudder -= side * boat.state().rudder_angle / window;
     }
-    if (recovered) {  // she had to bear away: there is no steady sailing on this course
-      mean.speed = mean.vmg = 0.0;
-    }
     mean.limit_hits = boat.limit_hits();
-    mean.settled =
-        !recovered && std::abs(mean.speed - last_speed) <= 0.002 * std::abs(mean.speed) + 1e-4;
+    // Pinched too high she luffs, stops, bears away and tries again: that is no sailing.
+    constexpr double kOffCourse = radians(2.0);
+    const bool steady = !recovered && std::abs(wrap_pi(mean.twa - twa)) < kOffCourse &&
+                        fastest - slowest < 0.2 * std::abs(mean.speed) + 0.02;
+    if (!steady) mean.speed = mean.vmg = 0.0;
+    mean.settled = steady && std::abs(mean.speed - last_speed) <= 0.002 * mean.speed + 1e-4;
     if (mean.settled && w >= 3) break;
     last_speed = mean.speed;
   }

@@ -91,7 +91,9 @@ SailReading sail_coefficients(bool jib, double angle, double sheeted, double sto
   const double side = attack < 0.0 ? -1.0 : 1.0;
   const double a = degrees(std::abs(attack));
   const double apparent = degrees(std::abs(angle));
-  const double on_stop = smooth_step(stop - radians(10.0), stop - radians(1.0), std::abs(sheeted));
+  // Held on its stop the sail keeps the table, until the wind comes round its leech.
+  const double on_stop = smooth_step(stop - radians(10.0), stop - radians(1.0), std::abs(sheeted)) *
+                         (1.0 - smooth_step(120.0, 160.0, a));
 
   double efficiency = std::sin(0.5 * kPi * std::min(a / kBestAttack, 1.0));
   const double past = smooth_step(kBestAttack, 55.0, a) * (1.0 - on_stop);

@@ -20,7 +20,10 @@ namespace offing {
 namespace {
 namespace fs = std::filesystem;
 
+// A device has no extension; it gets the bytes of a PNG.
 std::string extension(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::is_character_file(file, ignored)) return ".png";
   std::string text = file.extension().string();
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;

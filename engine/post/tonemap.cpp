@@ -1,6 +1,11 @@
 #include "engine/post/tonemap.h"
 
 namespace offing {
+namespace {
+/// Below this exposure the brightest thing that rods help to see (3 cd/m^2) is under half a step of
+/// an 8-bit display.
+constexpr double kFirstNight = 5e-5;
+}  // namespace
 
 Tonemap::Tonemap(ShaderLibrary& shaders)
     : no_vertices_("tone map"), count_("nonfinite pixels", sizeof(std::uint32_t)) {
@@ -40,6 +45,7 @@ void Tonemap::add(FrameGraph& graph, TextureId hdr, TextureId out,
         if (settings.count_nonfinite) count_.bind_storage(0);
         tonemap.use();
         tonemap.program().set(0, static_cast<float>(settings.exposure));
+        tonemap.program().set(1, settings.exposure > kFirstNight ? 1 : 0);
         no_vertices_.bind();
         glDrawArrays(GL_TRIANGLES, 0, 3);
       });

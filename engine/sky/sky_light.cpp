@@ -26,7 +26,7 @@ constexpr double kTotality = 3.0e-5;  // of full sunlight
 /// Airglow, zodiacal light and faint stars at the zenith of a dark place: 21.7 mag per square
 /// second.
 constexpr double kNightLuminance = 2.4e-4;
-constexpr double kLowestLight = -20.0, kNodeStep = 0.5;  // degrees of elevation of a light
+constexpr double kLowestLight = -20.0, kNodeStep = 1.0;  // degrees of elevation of a light
 constexpr int kNodes = static_cast<int>((90.0 - kLowestLight) / kNodeStep) + 4;
 
 double luminance(const dvec3& c) { return glm::dot(c, dvec3(0.2126, 0.7152, 0.0722)); }
@@ -153,13 +153,15 @@ dvec3 SkyLightModel::Air::light(double height, double cosine) const {
 
 /// Illuminance of a level surface by the sky, for a light of 1 lux above the air.
 dvec3 SkyLightModel::Air::sky_of(double light_elevation_deg) const {
-  constexpr int kCosines = 12, kAzimuths = 8, kSteps = 24;
+  constexpr int kCosines = 16, kAzimuths = 8, kSteps = 32;
   const double light_cosine = std::sin(radians(light_elevation_deg));
   const double light_sine = std::sqrt(1.0 - light_cosine * light_cosine);
   dvec3 sum(0.0);
   for (int i = 0; i < kCosines; ++i) {
-    // Stratified in the square of the cosine: each ring weighs the same.
-    const double cosine = std::sqrt((i + 0.5) / kCosines);
+    // Dense at the horizon: late in twilight only the lowest sky is lit.
+    const double x = (i + 0.5) / kCosines;
+    const double cosine = x * x;
+    const double weight = kTau * cosine * 2.0 * x / (kCosines * kAzimuths);
     const double along = glsl::distance_to_top(height_km, cosine);
     for (int j = 0; j < kAzimuths; ++j) {
       dvec3 radiance(0.0);
@@ -182,10 +184,10 @@ dvec3 SkyLightModel::Air::sky_of(double light_elevation_deg) const {
         radiance += through * source * (1.0 - kept) / air.extinction;
         through *= kept;
       }
-      sum += glsl::srgb_from_bands(radiance);
+      sum += weight * glsl::srgb_from_bands(radiance);
     }
   }
-  return sum * (kPi / (kCosines * kAzimuths));
+  return sum;
 }
 
 /// The same, interpolated in the logarithm: twilight falls by decades.

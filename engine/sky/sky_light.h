@@ -41,7 +41,7 @@ struct SkyLight {
 
 /// Computes SkyLight in double by integration with the formulas of shaders/lib/scattering.glsl.
 /// What depends on the air only is kept, and what depends on a light's elevation is tabulated as it
-/// is asked for, every half degree.
+/// is asked for, every degree.
 class SkyLightModel {
  public:
   SkyLightModel();

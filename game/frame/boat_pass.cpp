@@ -17,7 +17,7 @@ namespace {
 struct RigidVertex {
   glm::vec3 position, normal;
   glm::vec2 uv;
-  glm::vec2 ids;  ///< node, material
+  float material;
 };
 
 struct ClothVertex {
@@ -33,6 +33,8 @@ constexpr glm::vec3 kMiddle{0.0f, 4.9f, 0.0f};
 constexpr float kRadius = 7.8f;
 
 const glm::vec3 kUp{0.0f, 1.0f, 0.0f};
+// The node that stands for the boat herself.
+constexpr int kStill = shared::kBoatNodes - 1;
 
 // One channel for each side of the cloth; a grey picture is the same from both.
 gl::Texture cloth_texture(const char* label, const Image& image, float otherwise) {
@@ -111,9 +113,9 @@ BoatPass::BoatPass(ShaderLibrary& shaders, const Model& model, const BoatTexture
       boat_block_("boat.block", sizeof(shared::BoatData)),
       repeat_("boat.repeat", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
       clamp_("boat.clamp", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE) {
-  if (model.nodes.size() > shared::kBoatNodes || model.materials.size() > shared::kBoatMaterials) {
+  if (model.nodes.size() > kStill || model.materials.size() > shared::kBoatMaterials) {
     throw InputError(fmt::format("boat model: {} nodes and {} materials: at most {} and {}",
-                                 model.nodes.size(), model.materials.size(), shared::kBoatNodes,
+                                 model.nodes.size(), model.materials.size(), kStill,
                                  shared::kBoatMaterials));
   }
   for (const ModelNode& node : model.nodes) nodes_.push_back({node.parent, node.parent_from_node});
@@ -145,7 +147,26 @@ void BoatPass::build_rigid(ShaderLibrary& shaders, const Model& model) {
   const auto is_cloth = [&](int node) {
     return std::ranges::any_of(cloth_, [&](const Cloth& cloth) { return cloth.node == node; });
   };
+  // What does not move in the boat is stored in her frame, the rest in that of the part that
+  // carries it: a draw then needs one matrix, and there are few draws.
+  struct Carrier {
+    int node;
+    glm::mat4 from_node;
+  };
+  std::vector<Carrier> carriers;
+  for (int node = 0; node < static_cast<int>(model.nodes.size()); ++node) {
+    const ModelNode& from = model.nodes[static_cast<std::size_t>(node)];
+    if (node == boom_ || node == rudder_) {
+      carriers.push_back({node, glm::mat4(1.0f)});
+    } else if (from.parent < 0) {
+      carriers.push_back({kStill, from.parent_from_node});
+    } else {
+      const Carrier& parent = carriers[static_cast<std::size_t>(from.parent)];
+      carriers.push_back({parent.node, parent.from_node * from.parent_from_node});
+    }
+  }
   const auto append = [&](int node, const ModelPrimitive& primitive) {
+    const glm::mat4& placement = carriers[static_cast<std::size_t>(node)].from_node;
     std::unordered_map<std::uint32_t, std::uint32_t> placed;
     for (std::uint32_t i = 0; i < primitive.index_count; ++i) {
       const std::uint32_t index = model.indices[primitive.first_index + i];
@@ -153,17 +174,21 @@ void BoatPass::build_rigid(ShaderLibrary& shaders, const Model& model) {
           placed.try_emplace(index, static_cast<std::uint32_t>(vertices.size()));
       if (is_new) {
         const ModelVertex& from = model.vertices[index];
-        vertices.push_back({from.position, from.normal, from.uv, {node, primitive.material}});
+        vertices.push_back({glm::vec3(placement * glm::vec4(from.position, 1.0f)),
+                            glm::mat3(placement) * from.normal, from.uv,
+                            static_cast<float>(primitive.material)});
       }
       indices.push_back(found->second);
     }
   };
-  // One draw for each program and picture: all plain parts, each picture, the wires last, since
-  // they blend with what lies behind them.
-  const auto gather = [&](const ShaderProgram& program, int picture, bool wire) {
+  // One draw for each program, picture and carrier; the wires last, since they blend with what lies
+  // behind them.
+  const auto gather_carried = [&](const ShaderProgram& program, int picture, bool wire,
+                                  int carrier) {
     const auto first = static_cast<std::uint32_t>(indices.size());
     for (int node = 0; node < static_cast<int>(model.nodes.size()); ++node) {
       if (node == mask || is_cloth(node)) continue;
+      if (carriers[static_cast<std::size_t>(node)].node != carrier) continue;
       for (const ModelPrimitive& primitive :
            model.nodes[static_cast<std::size_t>(node)].primitives) {
         const ModelMaterial& material =
@@ -174,7 +199,12 @@ void BoatPass::build_rigid(ShaderLibrary& shaders, const Model& model) {
       }
     }
     const auto count = static_cast<std::uint32_t>(indices.size()) - first;
-    if (count > 0) draws_.push_back({&program, first, count, picture, wire});
+    if (count > 0) draws_.push_back({&program, first, count, picture, wire, carrier});
+  };
+  const auto gather = [&](const ShaderProgram& program, int picture, bool wire) {
+    for (const int carrier : {kStill, boom_, rudder_}) {
+      gather_carried(program, picture, wire, carrier);
+    }
   };
   const std::vector<std::filesystem::path> stages = {"boat/rigid.vert", "boat/rigid.frag"};
   gather(shaders.program(stages), -1, false);
@@ -197,7 +227,7 @@ void BoatPass::build_rigid(ShaderLibrary& shaders, const Model& model) {
   rigid_layout_.attribute(0, 3, vertices_.id(), kStride, offsetof(RigidVertex, position));
   rigid_layout_.attribute(1, 3, vertices_.id(), kStride, offsetof(RigidVertex, normal));
   rigid_layout_.attribute(2, 2, vertices_.id(), kStride, offsetof(RigidVertex, uv));
-  rigid_layout_.attribute(3, 2, vertices_.id(), kStride, offsetof(RigidVertex, ids));
+  rigid_layout_.attribute(3, 1, vertices_.id(), kStride, offsetof(RigidVertex, material));
   rigid_layout_.index_buffer(indices_.id());
 }
 
@@ -273,6 +303,7 @@ BoatPass::Frame BoatPass::pose(const BoatView& view, const shared::FrameData& fr
   boat.relative_from_boat =
       glm::translate(glm::mat4(1.0f), view.position) * glm::mat4_cast(view.orientation);
   const FlagPose flag_now = flag_pose(view.apparent_wind, glm::inverse(view.orientation) * -kUp);
+  boat.boat_from_node[kStill] = glm::mat4(1.0f);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const int node = static_cast<int>(i);
     glm::mat4 own(1.0f);
@@ -340,6 +371,7 @@ void BoatPass::draw(const Frame& frame) const {
   rigid_layout_.bind();
   for (const Draw& item : draws_) {
     item.program->use();
+    item.program->program().set(0, item.carrier);
     if (item.picture >= 0) pictures_[static_cast<std::size_t>(item.picture)].bind(0);
     if (item.wire) {
       glDisable(GL_CULL_FACE);

@@ -60,6 +60,7 @@ class BoatPass {
     std::uint32_t first, count;
     int picture;  ///< index into pictures_, or -1
     bool wire;
+    int carrier;  ///< the node in whose frame its vertices are
   };
   struct Cloth {
     int node = -1;

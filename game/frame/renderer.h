@@ -36,6 +36,8 @@ class Renderer {
   const Ocean& ocean() const { return techniques_.ocean; }
   const Quality& quality() const { return quality_; }
 
+  /// Height variance of the sea as it lies in the maps now, m^2; waits.
+  double measured_variance() const;
   /// The finished picture, sRGB-coded; waits.
   Image picture() const;
   /// Linear radiance in cd/m^2; waits. `exposure` as of the frame's view.

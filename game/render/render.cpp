@@ -8,6 +8,7 @@
 #include "engine/core/error.h"
 #include "engine/core/log.h"
 #include "engine/io/file.h"
+#include "engine/io/image.h"
 #include "game/render/voyage.h"
 
 namespace offing {
@@ -38,25 +39,10 @@ fs::path numbered(const fs::path& pattern, int frame) {
   return pattern.parent_path() / name.replace(at, length, fmt::sprintf(format, frame));
 }
 
-// Before an hour of rendering, not after it.
-void check_output(const fs::path& file) {
-  const std::string extension = file.extension().string();
-  const bool device = fs::exists(file) && !fs::is_regular_file(file);
-  if (!device && extension != ".png" && extension != ".exr" && extension != ".pfm") {
-    throw InputError(
-        fmt::format("--out {}: must end in .png (as seen), .exr or .pfm (linear)", file.string()));
-  }
-  const fs::path folder = file.parent_path();
-  if (!folder.empty() && !fs::is_directory(folder)) {
-    throw InputError(fmt::format("--out {}: there is no folder {}; make it first", file.string(),
-                                 folder.string()));
-  }
-}
-
 }  // namespace
 
 void run_render(const Options& options) {
-  check_output(options.out);
+  check_image_name(options.out);  // before an hour of rendering, not after it
   std::size_t length = 0;
   const bool all = number_place(options.out.filename().string(), &length) != std::string::npos;
   Voyage voyage(options, options.size.value_or(glm::ivec2(640, 360)));

@@ -63,7 +63,7 @@ std::string report_of(Voyage& voyage, const Options& options) {
   json["nonfinite_pixels"] = renderer.take_nonfinite_pixels();
   json["gl_messages"] = std::move(messages);
   json["boat"] = boat_of(voyage.world().boat());
-  json["sea"] = {{"hs_m", 4.0 * std::sqrt(0.0)},
+  json["sea"] = {{"hs_m", 4.0 * std::sqrt(renderer.measured_variance())},
                  {"hs_theoretical_m", expected.hs},
                  {"tp_theoretical_s", expected.tp},
                  {"time_s", voyage.view().sea_time}};

@@ -5,7 +5,9 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 uv;
-layout(location = 3) in vec2 ids;  // node, material
+layout(location = 3) in float material;
+
+layout(location = 0) uniform int node;
 
 out Surface {
   vec3 relative;
@@ -17,7 +19,7 @@ out Surface {
 } surface;
 
 void main() {
-  mat4 boat_from_node = boat.boat_from_node[int(ids.x)];
+  mat4 boat_from_node = boat.boat_from_node[node];
   vec4 in_boat = boat_from_node * vec4(position, 1.0);
   vec3 turned = mat3(boat_from_node) * normal;
   surface.coverage = 1.0;
@@ -34,6 +36,6 @@ void main() {
   surface.in_boat = in_boat.xyz;
   surface.normal = mat3(boat.relative_from_boat) * turned;
   surface.uv = uv;
-  surface.material = int(ids.y);
+  surface.material = int(material);
   gl_Position = frame.clip_from_relative * relative;
 }

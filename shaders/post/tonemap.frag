@@ -4,6 +4,7 @@
 
 layout(binding = 0) uniform sampler2D hdr;
 layout(location = 0) uniform float exposure;
+layout(location = 1) uniform int night;  // 1 where any pixel that is not black may be seen by rods
 #ifdef COUNT_NONFINITE
 layout(std430, binding = 0) buffer Count { uint nonfinite; };
 #endif
@@ -17,7 +18,10 @@ void main() {
 #endif
     colour = vec3(0.0);
   }
-  colour = night_sight(colour, rod_share(colour_luminance(colour) / exposure));
+  // A loop, not an if: a CPU renderer runs both sides of an if.
+  for (int i = 0; i < night; ++i) {
+    colour = night_sight(colour, rod_share(colour_luminance(colour) / exposure));
+  }
 #ifdef EXPONENTIAL
   vec3 shown = tonemap_exponential(colour);
 #else

@@ -33,7 +33,7 @@ draw=(render --out picture.png "${small[@]}")
 
 # ---- wrong usage or bad input: 2 -----------------------------------------------------------------
 expect_refusal 2 sial sial
-expect_refusal 2 --outt render --outt picture.png
+expect_refusal 2 --outt "${draw[@]}" --outt other.png
 expect_refusal 2 --out render "${small[@]}"
 expect_refusal 2 environment.wind.sped "${draw[@]}" --set environment.wind.sped=3
 expect_refusal 2 environment.wind.speed "${draw[@]}" --set environment.wind.speed=-3

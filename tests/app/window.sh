@@ -39,6 +39,9 @@ xdotool windowsize "$window" 320 180
 python3 "$root/tests/support/x11.py" iconify "$window"
 sleep 2
 kill -0 "$game" || fail "the game ended when it was minimised"
+now=$(state t)
+sleep 2.5 # long enough for two more lines
+state_holds "t == $now" || fail "it goes on drawing what nobody sees: t was $now, is $(state t)"
 python3 "$root/tests/support/x11.py" restore "$window"
 sleep 1
 now=$(state t)

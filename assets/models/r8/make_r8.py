@@ -91,7 +91,7 @@ def boot_line(t):
     return 0.045 + 0.07 * max(0.0, 0.45 - t) ** 2 / 0.2 + 0.015 * max(0.0, t - 0.7) / 0.3
 
 
-BANDS = [("antifouling", 11), ("boot", 1), ("topsides", 9), ("boot", 1), ("topsides", 2)]
+BANDS = [("antifouling", 9), ("boot", 1), ("topsides", 7), ("boot", 1), ("topsides", 1)]
 
 
 def hull_section(t):
@@ -138,11 +138,11 @@ def make_hull(node, rings):
     # Rubbing strake: a half-round along the topsides, under the rail.
     for side in (-1, 1):
         path = []
-        for t in stations(56):
+        for t in stations(36):
             at = station(max(t, 0.004))
             x, y, z = at(solve(at, sheer(t) - 0.035))
             path.append((side * (x + 0.006), y, z))
-        tube(node.part("varnish"), path, 0.016, sides=6)
+        tube(node.part("varnish"), path, 0.016, sides=5)
 
 
 def make_mask(node, count=20):
@@ -176,7 +176,7 @@ def deck_y(x, z):
 
 def make_deck_plate(node):
     part, margin = node.part("teak"), node.part("varnish")
-    cuts = sorted(set([BOW + 0.02 + i * (3.80 - BOW - 0.02) / 44 for i in range(45)] + list(COCKPIT)))
+    cuts = sorted(set([BOW + 0.02 + i * (3.80 - BOW - 0.02) / 32 for i in range(33)] + list(COCKPIT)))
 
     def strip(zs, inner):
         for side in (-1, 1):
@@ -185,9 +185,9 @@ def make_deck_plate(node):
                 edge = half_beam(deck_t(z))
                 inside = min(inner, edge)
                 plank = max(edge - 0.09, inside)
-                xs = [lerp(inside, plank, k / 7) for k in range(8)] + [edge]
+                xs = [lerp(inside, plank, k / 4) for k in range(5)] + [edge]
                 rows.append([(side * x, deck_y(x, z), z) for x in xs])
-            grid(lambda j: part if j < 7 else margin, rows, flip=side < 0,
+            grid(lambda j: part if j < 4 else margin, rows, flip=side < 0,
                  uv=lambda i, j, r=rows: teak_uv(r[i][j]))
 
     fore, aft = COCKPIT
@@ -198,7 +198,7 @@ def make_deck_plate(node):
     # at the quarter.
     for side in (-1, 1):
         path = [(side * (half_beam(t) - 0.012), sheer(t) - 0.01, deck_z(t))
-                for t in [0.006 + 0.994 * i / 60 for i in range(61)]]
+                for t in [0.006 + 0.994 * i / 40 for i in range(41)]]
         sweep(margin, path, [(-0.014, 0.0), (0.014, 0.0), (0.011, 0.062), (-0.011, 0.062)])
     # Taffrail across the transom's top.
     edge = half_beam(1.0)
@@ -234,12 +234,12 @@ def make_cockpit(node):
         wall = [[(x, 0.24, z), (x, deck_y(x, z), z)] for x in xs]
         surface(gel, wall, flip=flip)
     # Coaming: varnished boards that lean outboard, joined round the after end.
-    path, count = [], 16
+    path, count = [], 10
     for side in (-1, 1):
         leg = [(side * (half + 0.035), z) for z in [lerp(fore - 0.06, aft - 0.25, k / count)
                                                    for k in range(count + 1)]]
         corner = [(side * (half + 0.035 - 0.22 * (1 - math.cos(a))), aft - 0.25 + 0.28 * math.sin(a))
-                  for a in (math.pi / 2 * k / 6 for k in range(1, 7))]
+                  for a in (math.pi / 2 * k / 5 for k in range(1, 6))]
         leg += corner
         path.append(leg)
     outline = path[0] + list(reversed(path[1]))
@@ -291,8 +291,8 @@ def roof_patch(part, z_of, a_of, rows, cols, lift=0.006, flip=False):
 def make_coachroof(node):
     gel, varnish, window = node.part("gelcoat"), node.part("varnish"), node.part("window")
     fore, aft = ROOF
-    zs = [fore + 0.004 + (aft - fore - 0.004) * (k / 30) ** 1.5 for k in range(31)]
-    arc = [math.pi * k / 32 for k in range(33)]
+    zs = [fore + 0.004 + (aft - fore - 0.004) * (k / 22) ** 1.5 for k in range(23)]
+    arc = [math.pi * k / 24 for k in range(25)]
     surface(gel, [[roof(z, a) for a in arc] for z in zs], flip=True)
     # After bulkhead with the companionway's washboards.
     foot = [roof(aft, a) for a in arc]
@@ -305,11 +305,11 @@ def make_coachroof(node):
     # Eyebrow: a varnished line along the roof's shoulder.
     for side in (0, 1):
         path = []
-        for k in range(31):
-            z = lerp(fore + 0.35, aft - 0.005, k / 30)
+        for k in range(19):
+            z = lerp(fore + 0.35, aft - 0.005, k / 18)
             a = 0.30 if side == 0 else math.pi - 0.30
             path.append(add(roof(z, a), (0.004 if side == 0 else -0.004, 0.0, 0.0)))
-        tube(varnish, path, 0.013, sides=6)
+        tube(varnish, path, 0.013, sides=5)
     # Two long windows a side, their ends rounded.
     for z0, z1 in ((-0.98, -0.12), (0.02, 0.88)):
         for side in (0, 1):
@@ -318,7 +318,7 @@ def make_coachroof(node):
                 a = 0.035 + (0.5 + (s - 0.5) * round_end) * 0.062
                 return a if side == 0 else math.pi - a
             roof_patch(window, lambda r, s, z0=z0, z1=z1: lerp(z0, z1, 0.5 - 0.5 * math.cos(math.pi * r)),
-                       angle, 20, 3, flip=side == 0)
+                       angle, 12, 2, flip=side == 0)
     # Sliding hatch on its garage, two handrails, and a smoked deck hatch before the mast.
     y = roof(0.9, math.pi / 2)[1]
     slide = [[(x, y + 0.055 * (1 - (x / 0.31) ** 4) * e - 0.012, z) for x in
@@ -328,13 +328,13 @@ def make_coachroof(node):
     for side in (-1, 1):
         box(gel, (side * 0.33 - 0.02, y - 0.05, -0.1), (side * 0.33 + 0.02, y + 0.035, 1.08))
         rail = []
-        for k in range(25):
-            z = lerp(-0.25, 0.95, k / 24)
-            lift = 0.05 * abs(math.sin(math.pi * 3 * k / 24)) ** 0.5
+        for k in range(19):
+            z = lerp(-0.25, 0.95, k / 18)
+            lift = 0.05 * abs(math.sin(math.pi * 3 * k / 18)) ** 0.5
             x = side * 0.475
             a = math.pi / 2 - side * 0.62
             rail.append((x, roof(z, a)[1] + lift - 0.012, z))
-        tube(varnish, rail, 0.014, sides=6)
+        tube(varnish, rail, 0.014, sides=5)
     z0, z1 = -1.36, -0.92
     base = roof(z0, math.pi / 2)[1]
     tilt = (roof(z1, math.pi / 2)[1] - base) / (z1 - z0)
@@ -342,8 +342,8 @@ def make_coachroof(node):
         rings = []
         for h, shrink in ((low, 0.0), (high - 0.006, 0.0), (high, 0.012), (high, 0.22)):
             ring = []
-            for k in range(32):
-                a = 2 * math.pi * k / 32
+            for k in range(20):
+                a = 2 * math.pi * k / 20
                 cx, sz = math.cos(a), math.sin(a)
                 x = (0.22 + grow - shrink) * math.copysign(abs(cx) ** 0.4, cx)
                 z = (0.22 + grow - shrink) * math.copysign(abs(sz) ** 0.4, sz)
@@ -360,10 +360,10 @@ def make_fittings(node):
             (0.055, 0.132), (0.02, 0.135), (0.02, 0.142), (0.0, 0.142)]
     for side in (-1, 1):
         at = (side * 0.90, deck_y(0.90, 1.75), 1.75)
-        lathe(black, at, [(0.088, -0.01), (0.080, 0.055), (0.0, 0.055)], 20)
-        lathe(steel, add(at, (0, 0.055, 0)), drum)
+        lathe(black, at, [(0.088, -0.01), (0.080, 0.055), (0.0, 0.055)], 14)
+        lathe(steel, add(at, (0, 0.055, 0)), drum, 14)
         at = roof(0.62, math.pi / 2 - side * 0.42)
-        lathe(steel, (side * 0.42, at[1] - 0.004, 0.62), [(r * 0.72, h * 0.8) for r, h in drum], 16)
+        lathe(steel, (side * 0.42, at[1] - 0.004, 0.62), [(r * 0.72, h * 0.8) for r, h in drum], 10)
         # Mooring cleats and fairleads, jib tracks.
         for z in (-3.05, 3.66):
             x = half_beam(deck_t(z)) - 0.13
@@ -392,8 +392,8 @@ def make_rails(node):
     edge = lambda z, inset=0.05: half_beam(deck_t(z)) - inset
     # Pulpit: a hoop round the stem, on four feet.
     hoop = []
-    for k in range(21):
-        a = math.pi * (k / 20)
+    for k in range(17):
+        a = math.pi * (k / 16)
         x, z = 0.42 * math.cos(a), -3.02 - 1.0 * math.sin(a) ** 0.8
         hoop.append((x, 1.56 + 0.05 * math.sin(a), z))
     tube(steel, hoop, 0.0125, sides=6)
@@ -459,7 +459,7 @@ def make_mast(node):
     for y in heights:
         c = chord(y)
         rings.append([(0.36 * c * math.cos(a), y, 0.5 * c * math.sin(a) - 0.5 * c + 0.07)
-                      for a in (2 * math.pi * k / 20 for k in range(20))])
+                      for a in (2 * math.pi * k / 14 for k in range(14))])
     surface(part, rings, wrap_v=True)
     polygon(part, rings[-1], (0.0, 1.0, 0.0))
     # The track of the mainsail: a dark slot down the after face.
@@ -555,8 +555,8 @@ def make_mainsail(node):
             return (0.03 + (hoist - 0.03) * v + 0.14 * v * (1 - v), 0.085 + lerp(foot, head, v) + round_)
         return leech
     luff = lambda v: (hoist * v, 0.085)
-    roach = bisect(0.0, 1.5, lambda r: sail_grid(part(), luff, shape(r), 0.10, 40, 24) < MAIN_AREA)
-    return sail_grid(node.part("sail"), luff, shape(roach), 0.10, 40, 24), roach
+    roach = bisect(0.0, 1.5, lambda r: sail_grid(part(), luff, shape(r), 0.10, 32, 18) < MAIN_AREA)
+    return sail_grid(node.part("sail"), luff, shape(roach), 0.10, 32, 18), roach
 
 
 def make_jib(node, lean):
@@ -573,13 +573,13 @@ def make_jib(node, lean):
             hollow = 0.10 * math.sin(math.pi * v)
             return (lerp(clew[0], hoist, v), lerp(clew[1], 0.07, v) - hollow)
         return leech
-    aft = bisect(2.0, 5.0, lambda a: sail_grid(part(), luff, shape(a), 0.16, 36, 22) < JIB_AREA)
-    return sail_grid(node.part("sail"), luff, shape(aft), 0.16, 36, 22), aft
+    aft = bisect(2.0, 5.0, lambda a: sail_grid(part(), luff, shape(a), 0.16, 30, 16) < JIB_AREA)
+    return sail_grid(node.part("sail"), luff, shape(aft), 0.16, 30, 16), aft
 
 
 def make_flag(node):
     """Frame: origin at the lower end of the hoist, y up the hoist, z along the fly."""
-    width, height, cols, rows = 0.84, 0.56, 28, 16
+    width, height, cols, rows = 0.84, 0.56, 24, 12
     points = [[(0.0, height * i / rows, width * j / cols) for j in range(cols + 1)]
               for i in range(rows + 1)]
     surface(node.part("flag"), points, uv=lambda i, j: (j / cols, i / rows))
@@ -592,12 +592,12 @@ def make_keel(node):
     foil(part, rows, 0.11)
     # Bulb: a body of revolution, flattened underneath; its bottom at the draught.
     rings, length_, centre_y = [], 1.55, -1.375
-    for k in range(25):
-        x = 0.5 - 0.5 * math.cos(math.pi * k / 24)
+    for k in range(19):
+        x = 0.5 - 0.5 * math.cos(math.pi * k / 18)
         r = 0.125 * math.sqrt(max(x, 0.0)) * (1 - x) ** 0.75 / 0.4625
         ring = []
-        for s in range(20):
-            a = 2 * math.pi * s / 20
+        for s in range(14):
+            a = 2 * math.pi * s / 14
             ring.append((1.12 * r * math.cos(a), centre_y + r * math.sin(a) * (0.95 if math.sin(a) > 0 else 1.0),
                          -0.58 + length_ * x))
         rings.append(ring)
@@ -662,7 +662,7 @@ MATERIALS = [
     material("varnish", (0.165, 0.048, 0.016), 0.20),
     material("aluminium", (0.66, 0.67, 0.68), 0.40, 0.35),
     material("steel", (0.66, 0.66, 0.67), 0.24, 1.0),
-    material("wire", (0.60, 0.60, 0.61), 0.40, 1.0),
+    material("wire", (0.42, 0.42, 0.43), 0.70, 0.3),
     material("window", (0.010, 0.012, 0.016), 0.08),
     material("black", (0.018, 0.018, 0.020), 0.50),
     material("sail", (0.80, 0.79, 0.75), 0.80, doubleSided=True),
@@ -693,7 +693,7 @@ def hydrostatics():
 def main():
     root = Node("r8")
     hull = root.add(Node("hull"))
-    make_hull(hull, hull_rings(60))
+    make_hull(hull, hull_rings(46))
     make_keel(root.add(Node("keel")))
     deck = root.add(Node("deck"))
     make_deck_plate(deck)

@@ -1,0 +1,30 @@
+#include "game/export/sea_run.h"
+
+#include <epoxy/gl.h>
+
+#include "engine/core/paths.h"
+#include "game/frame/quality.h"
+
+namespace offing {
+
+OceanSettings sea_settings(const Options& options) {
+  OceanSettings settings = OceanSettings::of_quality(quality_named(options.quality, false).level);
+  settings.readback_cascades = settings.cascades;
+  return settings;
+}
+
+SeaRun::SeaRun(const Scene& scene, const Options& options)
+    : shaders_(data_root() / "shaders"), graph_(device_), ocean_(shaders_, sea_settings(options)) {
+  ocean_.set_sea(scene.sea, scene.environment, static_cast<std::uint64_t>(scene.seed));
+  // Two moments, so that the water's velocity is known too.
+  const double time = scene.environment.elapsed();
+  for (const double moment : {time - 1.0 / 240.0, time}) {
+    graph_.begin_frame();
+    ocean_.add_maps(graph_, moment);
+    graph_.execute();
+    glFinish();
+    ocean_.collect();
+  }
+}
+
+}  // namespace offing
