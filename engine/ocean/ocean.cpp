@@ -16,7 +16,8 @@ namespace {
 
 constexpr GLuint kBlockBinding = 2;
 constexpr std::size_t kMaxSquares = 8192;
-constexpr double kFoamLength = 7.3;     // m across the wind; no multiple of a cascade's length
+constexpr double kFoamLength = 7.3;  // m across the wind; no multiple of a cascade's length
+constexpr int kFoamTexels = 256;
 constexpr double kFoamSoftness = 0.15;  // variance of the edge of foam over that of the Jacobian
 
 /// x with normal_below(x) = share.
@@ -56,15 +57,18 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
       maps_(shaders, settings.cascades, settings.size),
       readback_(std::min(settings.readback_cascades, settings.cascades), settings.size),
       mesh_{.cells = settings.mesh_cells, .finest_spacing = 3.2 / settings.mesh_cells},
-      surface_(shaders.program({"ocean/surface.vert", "ocean/surface.frag"},
-                               {{"MORPH", std::to_string(SeaMesh::kMorph)},
-                                {"FOOTPRINT_RATIO", settings.mesh_cells <= 8 ? "3.0" : "4.0"}})),
+      mesh_program_(
+          shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"},
+                          {{"MORPH", std::to_string(SeaMesh::kMorph)},
+                           {"FOOTPRINT_RATIO", settings.mesh_cells <= 8 ? "3.0" : "4.0"}})),
+      surface_(shaders.program({"post/full_screen.vert", "ocean/surface.frag"})),
       squares_("sea.squares", kMaxSquares * sizeof(SeaMesh::Square)),
       block_("sea.block", sizeof(shared::OceanData)),
       array_("sea.mesh"),
+      no_vertices_("sea.picture"),
       map_sampler_("sea.map", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
       foam_sampler_("sea.foam", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
-      foam_(make_foam_pattern(256)) {
+      foam_(make_foam_pattern(kFoamTexels)) {
   make_grid();
 }
 
@@ -172,7 +176,7 @@ void Ocean::update_block(const OceanView& view) {
   const double u = glm::dot(along, view.eye);
   const double v = stretch * (along.x * view.eye.y - along.y * view.eye.x);
   data.foam_grid = glm::vec4(glm::dvec4(fraction(u), fraction(v), along.x, along.y));
-  data.foam_stretch = glm::vec4(glm::dvec4(stretch, 0, 0, 0));
+  data.foam_stretch = glm::vec4(glm::dvec4(stretch, stretch * kFoamTexels, 0, 0));
   data.water = glm::vec4(glm::dvec4(statistics_.hs, settings_.cascades,
                                     SeaMesh::kReach * settings_.mesh_cells, mesh_.finest_spacing));
   block_.write(data);
@@ -190,28 +194,27 @@ void Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea
   const int cells = settings_.mesh_cells;
   drawn_vertices_ = static_cast<int>(squares.size()) * (cells + 1) * (cells + 1);
   const bool nothing_in_view = squares.empty();
+  gl::TextureDesc seen_desc = graph.desc(hdr);
+  seen_desc.format = GL_RGBA32F;
+  const TextureId seen = graph.create("sea.seen", seen_desc);
+
   graph.add(
-      "sea.draw",
+      "sea.mesh",
       [&](PassBuilder& pass) {
-        pass.read(sea.displacement).read(sea.slopes).read(dry);
-        sky.declare(pass);
-        pass.modify(hdr).modify(depth).render_to({hdr}, depth);
+        pass.read(sea.displacement).read(dry);
+        pass.write(seen, Access::kAttachment).modify(depth).render_to({seen}, depth);
         pass.skip_if(nothing_in_view);
       },
-      [this, view, sea, dry, bind_sky = sky.bind,
-       squares = std::move(squares)](const PassContext& context) {
+      [this, view, sea, dry, squares = std::move(squares)](const PassContext& context) {
         update_block(view);
         squares_.write(squares.data(), squares.size() * sizeof(SeaMesh::Square));
+        const float nowhere[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+        glClearBufferfv(GL_COLOR, 0, nowhere);
         context.texture(sea.displacement).bind(0);
-        context.texture(sea.slopes).bind(1);
-        foam_.bind(2);
         context.texture(dry).bind(3);
         map_sampler_.bind(0);
-        map_sampler_.bind(1);
-        foam_sampler_.bind(2);
         block_.bind_uniform(kBlockBinding);
-        bind_sky(context);
-        surface_.use();
+        mesh_program_.use();
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_GREATER);
         glDepthMask(GL_TRUE);
@@ -221,6 +224,32 @@ void Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea
         glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr,
                                 static_cast<GLsizei>(squares.size()));
         glDisable(GL_DEPTH_TEST);
+        glBindSampler(0, 0);
+      });
+
+  graph.add(
+      "sea.draw",
+      [&](PassBuilder& pass) {
+        pass.read(sea.displacement).read(sea.slopes).read(seen);
+        sky.declare(pass);
+        pass.modify(hdr).render_to({hdr});
+        pass.skip_if(nothing_in_view);
+      },
+      [this, sea, seen, bind_sky = sky.bind](const PassContext& context) {
+        context.texture(sea.displacement).bind(0);
+        context.texture(sea.slopes).bind(1);
+        foam_.bind(2);
+        context.texture(seen).bind(3);
+        map_sampler_.bind(0);
+        map_sampler_.bind(1);
+        foam_sampler_.bind(2);
+        block_.bind_uniform(kBlockBinding);
+        bind_sky(context);
+        surface_.use();
+        glDisable(GL_DEPTH_TEST);
+        glDisable(GL_BLEND);
+        no_vertices_.bind();
+        glDrawArrays(GL_TRIANGLES, 0, 3);
         for (const GLuint unit : {0u, 1u, 2u}) glBindSampler(unit, 0);
       });
 }

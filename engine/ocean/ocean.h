@@ -57,10 +57,11 @@ class Ocean {
   /// `time` (s).
   SeaIds add_maps(FrameGraph& graph, double time, bool readback = true);
 
-  /// Adds sea.draw: the surface into `hdr` (radiance × exposure) and `depth` (reversed). The
-  /// frame's FrameData must be bound when the graph runs. Does not run where not `visible`. Nothing
-  /// is drawn inside a hull: `dry`, a picture of the same size, holds 1 / distance to its near side
-  /// and the distance to its far side.
+  /// Adds sea.mesh, which finds what water each pixel shows, and sea.draw: its light into `hdr`
+  /// (radiance × exposure) and `depth` (reversed). The frame's FrameData must be bound when the
+  /// graph runs. They do not run where not `visible`. Nothing is drawn inside a hull: `dry`, a
+  /// picture of the same size, holds 1 / distance to its near side and the distance to its far
+  /// side.
   void add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea, const SkyAccess& sky,
                 TextureId dry, TextureId hdr, TextureId depth, bool visible);
 
@@ -87,9 +88,10 @@ class Ocean {
   SeaMaps maps_;
   ReadbackWater readback_;
   SeaMesh mesh_;
+  const ShaderProgram& mesh_program_;
   const ShaderProgram& surface_;
   gl::Buffer vertices_, indices_, squares_, block_;
-  gl::VertexArray array_;
+  gl::VertexArray array_, no_vertices_;
   gl::Sampler map_sampler_, foam_sampler_;
   gl::Texture foam_;
   int index_count_ = 0;

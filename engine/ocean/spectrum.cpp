@@ -215,7 +215,8 @@ Cascade make_cascade(const SeaSpectrum& spectrum, const CascadeBand& band, int s
       const std::size_t cell = static_cast<std::size_t>(iz * size + ix);
       const glm::dvec2 k = cascade.wave_vector(ix, iz);
       cascade.frequency[cell] = spectrum.frequency(glm::length(k));
-      const auto index = static_cast<std::uint64_t>((nx + 32768) * 65536 + nz + 32768);
+      const auto index =
+          static_cast<std::uint64_t>(nx + 32768) * 65536u + static_cast<std::uint64_t>(nz + 32768);
       const glm::dvec2 normal = random_normal_pair(seed, static_cast<std::uint64_t>(number), index);
       cascade.h0[cell] = 0.5 * std::sqrt(energy) * std::complex<double>(normal.x, normal.y);
       cascade.variance += energy;

@@ -7,12 +7,9 @@
 #include "sky/sky.glsl"
 #include "ocean/surface.glsl"
 
-in vec3 relative;
-in vec2 parameter;
-in float height;
 layout(location = 0) out vec4 colour;
 layout(binding = 2) uniform sampler2D foam_pattern;  // evenly distributed over 0 … 1
-layout(binding = 3) uniform sampler2D dry;  // 1 / distance to a hull's near side, distance to its far side
+layout(binding = 3) uniform sampler2D sea_seen;      // see mesh.frag
 
 // Open Atlantic water, a little green of plankton: absorption and backscattering in 1/m by linear RGB
 // (pure water of Pope & Fry 1997 and Morel 1974 plus chlorophyll 0.4 mg/m^3 after Morel & Maritorena
@@ -28,13 +25,7 @@ struct Surface {
   float unresolved;  // variance of the Jacobian that this leaves out
 };
 
-Surface read_surface() {
-  // Half the longer side of the pixel's footprint: isotropic filtering over all of it would blur
-  // wave faces seen at a slant, none would shimmer.
-  vec2 dx = dFdx(parameter), dy = dFdy(parameter);
-  float longer = sqrt(max(dot(dx, dx), dot(dy, dy))), shorter = sqrt(min(dot(dx, dx), dot(dy, dy)));
-  float footprint = max(max(shorter, longer / FOOTPRINT_RATIO), 1.0e-3);
-
+Surface read_surface(vec2 parameter, float footprint) {
   vec4 sum = vec4(0.0);
   vec3 squeeze = vec3(0.0);  // Dxx, Dzz, Dxz of waves long enough to break
   float cross_term = 0.0, shown = 0.0;
@@ -43,7 +34,7 @@ Surface read_surface() {
   for (int c = 0; c < cascades; ++c) {
     float level = sea_map_level(c, footprint);
     float share = sea_map_share(level);
-    if (share <= 0.0) continue;
+    if (share <= 0.0) break;  // the cascades that follow are finer still
     vec3 place = sea_map_place(c, parameter);
     vec4 slopes = share * textureLod(sea_slopes, place, level);
     float mixed = share * textureLod(sea_displacement, place, level).w;
@@ -92,11 +83,17 @@ vec3 glitter(Surface surface, vec3 view, float shown_area, vec3 light, vec3 illu
 }
 
 void main() {
-  float distance = length(relative);
-  vec2 hull = texelFetch(dry, ivec2(gl_FragCoord.xy), 0).xy;
-  if (distance * hull.x > 1.0 && distance < hull.y) discard;
-  vec3 view = -relative / distance;
-  Surface surface = read_surface();
+  vec4 seen = texelFetch(sea_seen, ivec2(gl_FragCoord.xy), 0);
+  if (seen.w <= 0.0) discard;
+  vec2 parameter = seen.xy;
+  float distance = seen.w;
+  vec4 way = frame.relative_from_clip *
+             vec4(2.0 * gl_FragCoord.xy * frame.viewport.zw - 1.0, 1.0, 1.0);
+  vec3 view = -normalize(way.xyz / way.w);
+  // Above the mean sea level, over the curved earth.
+  float height = frame.camera.y - distance * view.y +
+                 distance * distance * dot(view.xz, view.xz) / kTwiceEarthRadius;
+  Surface surface = read_surface(parameter, seen.z);
 
   float across = length(view.xz);
   vec2 toward = view.xz / max(across, 1.0e-4);
@@ -123,19 +120,22 @@ void main() {
   // Light that has been below: irradiance reflectance .33 bb / (a + bb) (Gordon et al. 1975) and the
   // way through the surface and back, .54.
   vec3 body = 0.54 * 0.33 * kBackscatter / (kAbsorption + kBackscatter) * down / kWaterPi;
-  // Thin water near crests lets light through: the way through it shortens with height above the
+  // Thin water near crests lets light through: the path through it shortens with height above the
   // troughs, and most of it comes from behind, toward the light.
   float crest = clamp(0.5 + height / max(ocean.water.x, 0.3), 0.0, 1.5);
   float away = max(dot(-view, normalize(vec3(frame.sun_direction.x, 0.25, frame.sun_direction.z))), 0.0);
   float steep = clamp(length(surface.slope) * 1.8, 0.0, 1.0);
-  float way = mix(9.0, 1.2, clamp(crest * steep, 0.0, 1.0));
-  vec3 through = exp(-(kAbsorption + 30.0 * kBackscatter) * way);
+  float path = mix(9.0, 1.2, clamp(crest * steep, 0.0, 1.0));
+  vec3 through = exp(-(kAbsorption + 30.0 * kBackscatter) * path);
   body += through * (sun * (0.010 * away * away) + from_sky * 0.006) * crest * steep;
 
   float mean_reflectance = mix(reflectance, reflectance * 0.6, below);
   vec3 radiance = sky_light * (reflectance * (1.0 - 0.55 * below)) + body * (1.0 - mean_reflectance);
-  radiance += glitter(surface, view, facets.area, frame.sun_direction.xyz, sun);
-  radiance += glitter(surface, view, facets.area, frame.moon_direction.xyz, moon);
+  // The brighter of the two lights: while the sun is up the moon's glitter is lost in it.
+  bool by_day = sun.g >= moon.g;
+  radiance += glitter(surface, view, facets.area,
+                      by_day ? frame.sun_direction.xyz : frame.moon_direction.xyz,
+                      by_day ? sun : moon);
 
   // Foam where the summed surface is squeezed below what the wind's share of white water asks for; what
   // is too fine for the pixel, or for foam, is the part of the Jacobian's distribution below that, so
@@ -145,7 +145,9 @@ void main() {
   vec2 along = ocean.foam_grid.zw;
   vec2 at = ocean.foam_grid.xy + vec2(dot(along, parameter), ocean.foam_stretch.x *
             (along.x * parameter.y - along.y * parameter.x));
-  float pattern = 0.5 * (texture(foam_pattern, at).r + texture(foam_pattern, 2.7 * at.yx).r);
+  float fineness = log2(max(seen.z * length(along) * ocean.foam_stretch.y, 1.0e-6));
+  float pattern = 0.5 * (textureLod(foam_pattern, at, fineness).r +
+                         textureLod(foam_pattern, 2.7 * at.yx, fineness + 1.4).r);
   // The mean of two even distributions is triangular: even it out again.
   pattern = pattern < 0.5 ? 2.0 * pattern * pattern : 1.0 - 2.0 * (1.0 - pattern) * (1.0 - pattern);
   // A thin veil, and inside it the thick white of what breaks now.

@@ -3,8 +3,9 @@ layout(std140, binding = 2) uniform OceanBlock { OceanData ocean; };
 layout(binding = 0) uniform sampler2DArray sea_displacement;  // Dx, h, Dz, Dxz
 layout(binding = 1) uniform sampler2DArray sea_slopes;        // sx, sz, Dxx, Dzz
 
-const float kFadeFirst = 5.0;  // the coarsest map level; waves still in it fade out over two more
-const float kFadeLast = 7.0;
+const float kTwiceEarthRadius = 2.0 * 6371.0e3;  // m
+const float kFadeFirst = 4.0;  // what a cascade still shows of its waves at this map level …
+const float kFadeLast = 5.5;   // … is gone at this one, and need not be read
 
 // Place in the maps of a cascade of a point q (x, z in m, relative to the camera, at rest).
 vec3 sea_map_place(int cascade, vec2 q) {

@@ -23,7 +23,7 @@ struct OceanData {
                    // cascades show at level 0; w: variance by which that edge is softened
   // Foam texture coordinates: foam_grid.xy + (along . q, stretch (along x q)), along = foam_grid.zw.
   vec4 foam_grid;     // x, y: of the point below the camera; z, w: unit along the wind / length
-  vec4 foam_stretch;  // x: length along over length across
+  vec4 foam_stretch;  // x: length along over length across; y: that times texels per length
   vec4 water;      // x: Hs (m); y: number of cascades; z: mesh: distance per spacing; w: finest spacing (m)
 };
 

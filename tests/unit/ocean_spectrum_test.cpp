@@ -248,7 +248,7 @@ TEST(SeaMesh, ReachesTheHorizonAndStaysWithinItsBudget) {
   clip[2][3] = -1.0f;
   clip[3][2] = 0.15f;
   for (const double height : {2.0, 6.0, 100.0, 500.0}) {
-    const SeaMesh mesh{.cells = 8, .finest_spacing = 0.4};
+    const SeaMesh mesh{.cells = 8, .finest_spacing = 0.375};
     const auto squares = mesh.select({1e6 + 0.3, -3e5}, height, 2.0, clip);
     EXPECT_LT(squares.size() * 81, 18000u) << height;
     double reach = 0.0;

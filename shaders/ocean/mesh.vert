@@ -9,9 +9,6 @@ layout(location = 1) in vec4 square;  // x, z relative to the camera; spacing; w
 
 out vec3 relative;
 out vec2 parameter;  // the point of water at rest, relative to the camera
-out float height;
-
-const float kTwiceEarthRadius = 2.0 * 6371.0e3;
 
 void main() {
   float eye_height = frame.camera.y;
@@ -27,12 +24,10 @@ void main() {
   for (int c = 0; c < cascades; ++c) {
     float level = sea_map_level(c, spacing);
     float share = sea_map_share(level);
-    if (share > 0.0) {
-      displacement += share * textureLod(sea_displacement, sea_map_place(c, q), level).xyz;
-    }
+    if (share <= 0.0) break;  // the cascades that follow are finer still
+    displacement += share * textureLod(sea_displacement, sea_map_place(c, q), level).xyz;
   }
   parameter = q;
-  height = displacement.y;
   relative = vec3(q.x, -eye_height - dot(q, q) / kTwiceEarthRadius, q.y) + displacement;
   gl_Position = frame.clip_from_relative * vec4(relative, 1.0);
 }
