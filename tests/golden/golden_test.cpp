@@ -11,6 +11,7 @@
 #include <random>
 
 #include "engine/core/error.h"
+#include "engine/platform/headless_context.h"
 #include "engine/post/flip.h"
 #include "golden/views.h"
 
@@ -22,10 +23,10 @@ const fs::path kReferences = fs::path(OFFING_TEST_DATA) / "golden" / "references
 const fs::path kOutput = fs::path(OFFING_TEST_OUTPUT) / "golden";
 
 // Two pictures of one view count as the same up to these. The same binary and driver give 0. Other
-// compilers and drivers round otherwise: heading, speed and wind that are 10⁻⁶ off give a mean of
+// compilers and drivers round otherwise: a boat and wind whose speeds are 10⁻⁶ off give a mean of
 // 0.0002 and a 99th percentile of 0.004; outlines that fall otherwise by a twentieth of a pixel
-// (0.02° more field of view), 0.009 and 0.05. Twice and three times that is let through. The least
-// faults that the tests below make give 0.027 or 0.4.
+// (0.02° more field of view), 0.009 and 0.05. Twice and three times that is let through. Each
+// of the faults that the tests below make gives a mean of 0.026 or more, or a percentile of 0.48.
 constexpr double kMean = 0.02;
 constexpr double kPercentile99 = 0.15;
 
@@ -45,9 +46,23 @@ bool updating() {
   return value != nullptr && std::string(value) == "1";
 }
 
+// Empty where pictures can be drawn and compared. Whatever else goes wrong is a failure.
+const std::string& obstacle() {
+  static const std::string kObstacle = []() -> std::string {
+    if (!reads_pictures()) return "this build has no OpenImageIO";
+    try {
+      const HeadlessContext context;
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }();
+  return kObstacle;
+}
+
 struct Golden : testing::TestWithParam<View> {
   void SetUp() override {
-    if (!reads_pictures()) GTEST_SKIP() << "this build has no OpenImageIO";
+    if (!obstacle().empty()) GTEST_SKIP() << obstacle();
   }
 };
 
@@ -65,12 +80,7 @@ TEST_P(Golden, LooksAsItsReferenceDoes) {
   const View& view = GetParam();
   fs::create_directories(kOutput);
   const fs::path picture_file = kOutput / (view.name + ".png");
-  Image picture;
-  try {
-    picture = as_written(render_view(view), picture_file);
-  } catch (const InputError& error) {
-    GTEST_SKIP() << error.what();
-  }
+  const Image picture = as_written(render_view(view), picture_file);
   if (updating()) {
     write_image(reference_file(view), picture);
     GTEST_SKIP() << "rewrote " << reference_file(view).string() << "; look at it";
@@ -80,7 +90,7 @@ TEST_P(Golden, LooksAsItsReferenceDoes) {
       << ", and if it is good run this test with OFFING_UPDATE_GOLDEN=1";
   const Image reference = read_image(reference_file(view));
   const FlipResult flip = flip_ldr(reference, picture);
-  RecordProperty("flip", numbers_of(flip));
+  RecordProperty("FLIP", numbers_of(flip));
   if (same(flip)) {
     fs::remove(picture_file);
     return;
@@ -137,26 +147,21 @@ TEST_P(Golden, ADamagedPictureIsNotTheSame) {
        }}};
   for (const auto& damage : damages) {
     const FlipResult flip = flip_ldr(reference, changed(reference, damage.value));
+    RecordProperty(damage.what, numbers_of(flip));
     EXPECT_FALSE(same(flip)) << damage.what << ": " << numbers_of(flip);
   }
 }
 
 // And so would a scene that is not quite the one asked for.
 TEST(GoldenScene, AnotherSceneIsNotTheSame) {
-  if (!reads_pictures()) GTEST_SKIP() << "this build has no OpenImageIO";
+  if (!obstacle().empty()) GTEST_SKIP() << obstacle();
   View view = views().front();
   const Image reference = read_image(reference_file(view));
-  for (const char* set : {"seed=2", "environment.wind.from=55", "environment.wind.speed=9",
-                          "environment.time=16:45:00", "environment.haze=0.2",
-                          "sea.swell.height=1.2", "boat.heading=305", "camera.fov=56"}) {
+  for (const char* set :
+       {"seed=2", "environment.wind.from=50", "environment.time=16:35:00", "camera.fov=55.5"}) {
     view.sets = {set};
-    Image picture;
-    try {
-      picture = render_view(view);
-    } catch (const InputError& error) {
-      GTEST_SKIP() << error.what();
-    }
-    const FlipResult flip = flip_ldr(reference, picture);
+    const FlipResult flip = flip_ldr(reference, render_view(view));
+    RecordProperty(set, numbers_of(flip));
     EXPECT_FALSE(same(flip)) << set << ": " << numbers_of(flip);
   }
 }

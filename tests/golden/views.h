@@ -19,7 +19,7 @@ inline void PrintTo(const View& view, std::ostream* stream) { *stream << view.na
 /// All of them, in the order in which a reader may want to look at them.
 const std::vector<View>& views();
 
-/// What `offing render` writes for it. Throws InputError where there is no OpenGL 4.5.
+/// What `offing render` writes for it; a warning of the driver fails the test. Throws as Voyage.
 Image render_view(const View& view);
 
 /// The command that writes the same picture, for messages.
