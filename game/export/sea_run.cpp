@@ -14,11 +14,13 @@ OceanSettings sea_settings(const Options& options) {
 }
 
 SeaRun::SeaRun(const Scene& scene, const Options& options)
-    : shaders_(data_root() / "shaders"), graph_(device_), ocean_(shaders_, sea_settings(options)) {
+    : shaders_(data_root() / "shaders"),
+      graph_(device_),
+      ocean_(shaders_, sea_settings(options)),
+      time_(scene.environment.elapsed()) {
   ocean_.set_sea(scene.sea, scene.environment, static_cast<std::uint64_t>(scene.seed));
   // Two moments, so that the water's velocity is known too.
-  const double time = scene.environment.elapsed();
-  for (const double moment : {time - 1.0 / 240.0, time}) {
+  for (const double moment : {time_ - 1.0 / 240.0, time_}) {
     graph_.begin_frame();
     ocean_.add_maps(graph_, moment);
     graph_.execute();

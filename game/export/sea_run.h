@@ -2,6 +2,7 @@
 #include "engine/graph/frame_graph.h"
 #include "engine/graph/gl_device.h"
 #include "engine/ocean/ocean.h"
+#include "engine/ocean/ocean_export.h"
 #include "engine/platform/headless_context.h"
 #include "engine/shader/shader_library.h"
 #include "game/options.h"
@@ -20,6 +21,8 @@ class SeaRun {
 
   const Ocean& ocean() const { return ocean_; }
   const WaterSurface& water() const { return ocean_.water(); }
+  /// The maps of this moment, on the CPU.
+  std::vector<CascadeExport> maps() { return export_cascades(ocean_, graph_, time_); }
 
  private:
   HeadlessContext context_;
@@ -27,6 +30,7 @@ class SeaRun {
   GlDevice device_;
   FrameGraph graph_;
   Ocean ocean_;
+  double time_;
 };
 
 }  // namespace offing

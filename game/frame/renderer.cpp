@@ -64,22 +64,9 @@ void Renderer::execute() {
   techniques_.ocean.collect();
 }
 
-double Renderer::measured_variance() const {
-  const SeaMaps& maps = techniques_.ocean.maps();
-  const std::vector<float> values = maps.displacement().read_floats(4);
-  const std::size_t points = static_cast<std::size_t>(maps.size()) * maps.size();
-  double total = 0.0;
-  for (std::size_t first = 0; first < values.size(); first += points * 4) {
-    double sum = 0.0, squares = 0.0;
-    for (std::size_t i = 0; i < points; ++i) {
-      const double height = static_cast<double>(values[first + i * 4 + 1]);
-      sum += height;
-      squares += height * height;
-    }
-    const double mean = sum / static_cast<double>(points);
-    total += squares / static_cast<double>(points) - mean * mean;
-  }
-  return total;
+SeaMeasurement Renderer::measure_sea() const {
+  const Ocean& ocean = techniques_.ocean;
+  return offing::measure_sea(ocean.cascades(), ocean.maps().displacement().read_floats(4));
 }
 
 Image Renderer::picture() const {

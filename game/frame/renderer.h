@@ -4,6 +4,7 @@
 #include "engine/graph/frame_graph.h"
 #include "engine/graph/gl_device.h"
 #include "engine/io/image.h"
+#include "engine/ocean/sea_measurement.h"
 #include "engine/shader/shader_library.h"
 #include "game/frame/frame.h"
 #include "game/frame/frame_view.h"
@@ -36,8 +37,8 @@ class Renderer {
   const Ocean& ocean() const { return techniques_.ocean; }
   const Quality& quality() const { return quality_; }
 
-  /// Height variance of the sea as it lies in the maps now, m^2; waits.
-  double measured_variance() const;
+  /// The sea as it lies in the maps now; waits.
+  SeaMeasurement measure_sea() const;
   /// The finished picture, sRGB-coded; waits.
   Image picture() const;
   /// Linear radiance in cd/m^2; waits. `exposure` as of the frame's view.

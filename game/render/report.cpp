@@ -1,4 +1,3 @@
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/angles.h"
@@ -63,7 +62,9 @@ std::string report_of(Voyage& voyage, const Options& options) {
   json["nonfinite_pixels"] = renderer.take_nonfinite_pixels();
   json["gl_messages"] = std::move(messages);
   json["boat"] = boat_of(voyage.world().boat());
-  json["sea"] = {{"hs_m", 4.0 * std::sqrt(renderer.measured_variance())},
+  const SeaMeasurement measured = renderer.measure_sea();
+  json["sea"] = {{"hs_m", measured.hs},
+                 {"tp_s", measured.tp},
                  {"hs_theoretical_m", expected.hs},
                  {"tp_theoretical_s", expected.tp},
                  {"time_s", voyage.view().sea_time}};

@@ -68,9 +68,10 @@ float jonswap_shape(float w, float peak, float alpha, float gamma) {
          exp(-1.25 * ratio * ratio * ratio * ratio) * enhancement;
 }
 
-// Fetch without dimension, chi = g F / U^2. Beyond about 1e4 the JONSWAP growth laws would outgrow
-// the fully developed sea, so growth stops there. Fetch in metres, wind in m/s.
-const float kFullyDevelopedFetch = 1.0e4;
+// Fetch without dimension, chi = g F / U^2. Growth stops where the JONSWAP height law 1.6e-3 sqrt(chi)
+// U^2 / g meets the .243 U^2 / g of a fully developed sea (Shore Protection Manual 1984: about 2.2e4).
+// The spectrum's own integral passes that height sooner, at about 1.1e4. Fetch in metres, wind in m/s.
+const float kFullyDevelopedFetch = 2.2e4;
 float dimensionless_fetch(float wind, float fetch) {
   return min(kWaveGravity * fetch / (wind * wind), kFullyDevelopedFetch);
 }
