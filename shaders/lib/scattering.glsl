@@ -26,7 +26,8 @@ struct Aerosol {
 
 // Haze 0 is Hillaire's clear air (a visibility of hundreds of km), 0.1 a clear day at sea, 0.5 some
 // 7 km, 1 fog of 250 m that lies low. In between both the logarithm of the density and that of its
-// height run smoothly. What comes on top of the clear air is salt and droplets: they hardly absorb.
+// height run smoothly; haze comes down to the water only as it turns to fog. What comes on top of the
+// clear air is salt and droplets: they hardly absorb.
 Aerosol aerosol_of_haze(float haze) {
   const float kClearExtinction = 0.004440;
   const float kClearScattering = 0.003996;
@@ -38,7 +39,8 @@ Aerosol aerosol_of_haze(float haze) {
   Aerosol a;
   a.extinction = kClearExtinction * pow(kFogExtinction / kClearExtinction, amount);
   a.scattering = kClearScattering + kDropletAlbedo * (a.extinction - kClearExtinction);
-  a.scale_height = kClearHeight * pow(kFogHeight / kClearHeight, clamp(haze, 0.0, 1.0));
+  float lowness = clamp(haze, 0.0, 1.0) * clamp(haze, 0.0, 1.0);
+  a.scale_height = kClearHeight * pow(kFogHeight / kClearHeight, lowness);
   return a;
 }
 
