@@ -31,7 +31,7 @@ Aerosol aerosol_of_haze(float haze) {
   const float kClearExtinction = 0.004440;
   const float kClearScattering = 0.003996;
   const float kFogExtinction = 15.6;
-  const float kFogHeight = 0.2;
+  const float kFogHeight = 0.05;
   const float kClearHeight = 1.2;
   const float kDropletAlbedo = 0.995;
   float amount = pow(clamp(haze, 0.0, 1.0), 0.75);
