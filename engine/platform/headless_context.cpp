@@ -38,7 +38,8 @@ std::vector<EGLDisplay> candidate_displays() {
   return displays;
 }
 
-EGLContext make_context(EGLDisplay display) {
+// `attributes` as for eglCreateContext.
+EGLContext make_context(EGLDisplay display, const EGLint* attributes) {
   if (!eglBindAPI(EGL_OPENGL_API)) return EGL_NO_CONTEXT;
   const EGLint config_attributes[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
                                       EGL_OPENGL_BIT, EGL_NONE};
@@ -47,16 +48,32 @@ EGLContext make_context(EGLDisplay display) {
   if (!eglChooseConfig(display, config_attributes, &config, 1, &count) || count == 0) {
     config = nullptr;  // EGL_KHR_no_config_context
   }
-  const EGLint context_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                       4,
-                                       EGL_CONTEXT_MINOR_VERSION,
-                                       5,
-                                       EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                       EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                       EGL_CONTEXT_OPENGL_DEBUG,
-                                       EGL_TRUE,
-                                       EGL_NONE};
-  return eglCreateContext(display, config, EGL_NO_CONTEXT, context_attributes);
+  return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
+}
+
+constexpr EGLint kOpenGl45[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                4,
+                                EGL_CONTEXT_MINOR_VERSION,
+                                5,
+                                EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                EGL_CONTEXT_OPENGL_DEBUG,
+                                EGL_TRUE,
+                                EGL_NONE};
+
+// What a display has instead of 4.5, for the message.
+std::string version_of(EGLDisplay display) {
+  constexpr EGLint kAnyVersion[] = {EGL_NONE};
+  const EGLContext context = make_context(display, kAnyVersion);
+  std::string version = "none";
+  if (context != EGL_NO_CONTEXT &&
+      eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
+    if (const GLubyte* text = glGetString(GL_VERSION))
+      version = reinterpret_cast<const char*>(text);
+    eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  }
+  if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
+  return version;
 }
 }  // namespace
 
@@ -70,15 +87,15 @@ HeadlessContext::HeadlessContext() : impl_(std::make_unique<Impl>()) {
   for (const EGLDisplay display : candidate_displays()) {
     EGLint major = 0, minor = 0;
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, &major, &minor)) continue;
-    const EGLContext context = make_context(display);
+    const EGLContext context = make_context(display, kOpenGl45);
     if (context != EGL_NO_CONTEXT &&
         eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
       impl_->display = display;
       impl_->context = context;
       return;
     }
-    found = std::string("EGL of ") + eglQueryString(display, EGL_VENDOR) + " gives none";
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
+    found = std::string(eglQueryString(display, EGL_VENDOR)) + " has " + version_of(display);
     eglTerminate(display);
   }
   throw InputError("rendering without a window needs OpenGL 4.5 through EGL: " + found +

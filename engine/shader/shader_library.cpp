@@ -19,6 +19,15 @@ GLenum stage_of(const fs::path& file) {
       fmt::format("{}: a shader's name must end in .vert, .frag or .comp", file.string()));
 }
 
+// The first complaint of a compiler's log, and how many lines follow: what one line can hold.
+std::string first_complaint(const std::string& log) {
+  const std::size_t end = log.find('\n');
+  const auto more = std::count(log.begin(), log.end(), '\n') - 1;
+  std::string line = log.substr(0, end);
+  if (more > 0) line += fmt::format(" (and {} more lines)", more);
+  return line + "; mend the shader";
+}
+
 fs::file_time_type time_of(const fs::path& file) {
   std::error_code missing;
   const fs::file_time_type time = fs::last_write_time(file, missing);
@@ -59,9 +68,10 @@ void ShaderLibrary::build(ShaderProgram& program) {
     ++program.generation_;
   } catch (const gl::ShaderError& error) {
     for (std::size_t i = 0; i < sources.size(); ++i) {
-      if (sources[i].stage == error.stage()) throw InputError(texts[i].map_log(error.what()));
+      if (sources[i].stage == error.stage())
+        throw InputError(first_complaint(texts[i].map_log(error.what())));
     }
-    throw InputError(error.what());
+    throw InputError(first_complaint(error.what()));
   }
 }
 
