@@ -268,7 +268,9 @@ TEST_F(OceanFrame, ReadBackHeightsAgreeWithTheDirectSum) {
       speed += std::pow(glm::length(truth[i].velocity), 2);
     }
     const double n = static_cast<double>(places.size());
-    EXPECT_LT(std::sqrt(height / n), 0.015) << late;
+    // On 64 squared the shortest waves have four texels, of which cubics miss some 1.5 cm in all;
+    // sixty places leave 10 % of chance, three times over. (Lines would miss 7 cm.)
+    EXPECT_LT(std::sqrt(height / n), 0.02) << late;
     EXPECT_LT(std::sqrt(normal / n), 0.03) << late;
     // The difference of two moments lies half a step back and is not extrapolated.
     EXPECT_LT(std::sqrt(velocity / speed), 0.02 + 4.0 * (late + 0.5 * step)) << late;

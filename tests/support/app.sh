@@ -40,11 +40,12 @@ stop_children() {
 }
 trap stop_children EXIT
 
-# start_display WIDTH HEIGHT: an empty screen that nobody sees, with no window manager.
+# start_display WIDTH HEIGHT: an empty screen that nobody sees, with no window manager. Without
+# -noreset, a server whose last client has left refuses the next one for a moment.
 start_display() {
   need Xvfb xdotool
   unset WAYLAND_DISPLAY
-  Xvfb -displayfd 3 -screen 0 "$1x$2x24" -nolisten tcp 3> display 2> xvfb.log &
+  Xvfb -displayfd 3 -screen 0 "$1x$2x24" -nolisten tcp -noreset 3> display 2> xvfb.log &
   children+=($!)
   local try
   for ((try = 0; try < 100; ++try)); do
