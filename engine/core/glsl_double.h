@@ -59,6 +59,9 @@ using glm::exp, glm::exp2, glm::inversesqrt, glm::log, glm::log2, glm::pow, glm:
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wunused-variable"
+#ifdef __clang__
+#pragma clang diagnostic ignored "-Wkeyword-macro"
+#endif
 namespace offing::glsl {
 namespace {
 #define float double

@@ -43,6 +43,7 @@ void GlDevice::end_pass() { glPopDebugGroup(); }
 void GlDevice::bind_attachments(const std::vector<const gl::Texture*>& colours,
                                 const gl::Texture* depth) {
   std::vector<std::uint64_t> key;
+  key.reserve(colours.size() + 2);
   for (const gl::Texture* colour : colours) key.push_back(colour->serial());
   key.push_back(0);
   if (depth != nullptr) key.push_back(depth->serial());

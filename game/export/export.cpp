@@ -10,14 +10,14 @@
 namespace offing {
 
 void run_export(const Options& options) {
-  static const std::map<std::string, void (*)(const Scene&, const Options&)> kExports = {
+  static const std::map<std::string, void (*)(const Scene&, const Options&)> exports = {
       {"boat", export_boat},   {"ephemeris", export_ephemeris}, {"heights", export_heights},
       {"ocean", export_ocean}, {"polar", export_polar},
   };
-  const auto found = kExports.find(options.what);
-  if (found == kExports.end()) {
+  const auto found = exports.find(options.what);
+  if (found == exports.end()) {
     std::string names;
-    for (const auto& [name, function] : kExports) names += (names.empty() ? "" : ", ") + name;
+    for (const auto& [name, function] : exports) names += (names.empty() ? "" : ", ") + name;
     throw InputError(fmt::format("export {}: no such data; there are {}", options.what, names));
   }
   Scene scene = make_scene(options.scene, options.sets);
