@@ -20,6 +20,8 @@ template <class... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;
 };
+template <class... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;  // Clang 14 does not deduce it by itself
 
 // A value as shown in a message: on one line and short, whatever the user wrote.
 std::string shown(std::string_view text) {

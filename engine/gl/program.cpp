@@ -47,6 +47,7 @@ void delete_vertex_array(GLuint id) { glDeleteVertexArrays(1, &id); }
 
 Program::Program(const std::string& label, const std::vector<StageSource>& stages) {
   std::vector<Object<delete_shader>> shaders;
+  shaders.reserve(stages.size());
   for (const StageSource& stage : stages) shaders.push_back(compile(label, stage));
   Object<delete_program> program(glCreateProgram());
   for (const auto& shader : shaders) glAttachShader(program.id(), shader.id());
