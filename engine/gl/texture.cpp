@@ -10,31 +10,6 @@ GLenum target_of(const TextureDesc& desc) {
   return desc.layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
 }
 
-std::size_t bytes_per_texel(GLenum format) {
-  switch (format) {
-    case GL_R8:
-      return 1;
-    case GL_R16F:
-    case GL_RG8:
-      return 2;
-    case GL_RGBA8:
-    case GL_R32F:
-    case GL_R32UI:
-    case GL_RG16F:
-    case GL_DEPTH_COMPONENT32F:
-    case GL_R11F_G11F_B10F:
-    case GL_SRGB8_ALPHA8:
-      return 4;
-    case GL_RGBA16F:
-    case GL_RG32F:
-      return 8;
-    case GL_RGBA32F:
-      return 16;
-    default:
-      return 4;
-  }
-}
-
 GLenum channels_format(int channels) {
   constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
   return kFormats[channels - 1];
@@ -48,19 +23,6 @@ int full_mip_levels(int width, int height) {
   int levels = 1;
   for (int size = std::max(width, height); size > 1; size /= 2) ++levels;
   return levels;
-}
-
-std::size_t texture_bytes(const TextureDesc& desc) {
-  std::size_t texels = 0;
-  for (int level = 0; level < desc.levels; ++level) {
-    const auto size = [&](int full) {
-      return static_cast<std::size_t>(std::max(1, full >> level));
-    };
-    texels +=
-        size(desc.width) * size(desc.height) *
-        (desc.depth > 0 ? size(desc.depth) : static_cast<std::size_t>(std::max(1, desc.layers)));
-  }
-  return texels * bytes_per_texel(desc.format);
 }
 
 Texture::Texture(const std::string& label, const TextureDesc& desc) : desc_(desc) {
@@ -145,15 +107,5 @@ Sampler::Sampler(const std::string& label, GLenum min_filter, GLenum mag_filter,
 }
 
 void Sampler::bind(GLuint unit) const { glBindSampler(unit, id()); }
-
-void Sampler::set_anisotropy(float samples) const {
-  float most = 0.0f;
-  if (!epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") &&
-      !epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic")) {
-    return;
-  }
-  glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY, &most);
-  glSamplerParameterf(id(), GL_TEXTURE_MAX_ANISOTROPY, std::clamp(samples, 1.0f, most));
-}
 
 }  // namespace offing::gl

@@ -22,8 +22,6 @@ struct TextureDesc {
 
 /// Number of levels down to 1×1.
 int full_mip_levels(int width, int height);
-/// Bytes of all levels.
-std::size_t texture_bytes(const TextureDesc& desc);
 
 /// An immutable texture.
 class Texture {
@@ -66,8 +64,6 @@ class Sampler {
           GLenum wrap_t);
   GLuint id() const { return object_.id(); }
   void bind(GLuint unit) const;
-  /// Clamped at zero anisotropy where the driver has none.
-  void set_anisotropy(float samples) const;
 
  private:
   Object<delete_sampler> object_;

@@ -191,8 +191,6 @@ void Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea
                            view.clip_from_relative);
     if (squares.size() > kMaxSquares) squares.resize(kMaxSquares);
   }
-  const int cells = settings_.mesh_cells;
-  drawn_vertices_ = static_cast<int>(squares.size()) * (cells + 1) * (cells + 1);
   const bool nothing_in_view = squares.empty();
   gl::TextureDesc seen_desc = graph.desc(hdr);
   seen_desc.format = GL_RGBA32F;

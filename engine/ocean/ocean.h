@@ -77,8 +77,6 @@ class Ocean {
   double choppiness() const { return choppiness_; }
   const SeaMaps& maps() const { return maps_; }
   const OceanSettings& settings() const { return settings_; }
-  /// Vertices of the last sea.draw that was added.
-  int drawn_vertices() const { return drawn_vertices_; }
 
  private:
   void make_grid();
@@ -95,7 +93,6 @@ class Ocean {
   gl::Sampler map_sampler_, foam_sampler_;
   gl::Texture foam_;
   int index_count_ = 0;
-  int drawn_vertices_ = 0;
 
   std::uint64_t sea_key_ = 0;
   std::vector<Cascade> cascades_;

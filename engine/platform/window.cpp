@@ -113,7 +113,6 @@ float Window::content_scale() const {
 bool Window::should_close() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
 void Window::request_close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 void Window::resize(glm::ivec2 size) { glfwSetWindowSize(window_, size.x, size.y); }
-void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 void Window::set_vsync(bool on) { glfwSwapInterval(on ? 1 : 0); }
 
 }  // namespace offing

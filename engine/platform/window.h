@@ -44,7 +44,6 @@ class Window {
   bool should_close() const;
   void request_close();
   void resize(glm::ivec2 size);
-  void set_title(const std::string& title);
   void set_vsync(bool on);
 
   /// For Input and the panels' backend.
