@@ -14,13 +14,14 @@
 #include "engine/platform/headless_context.h"
 #include "engine/post/flip.h"
 #include "golden/views.h"
+#include "support/paths.h"
 
 namespace offing::test {
 namespace {
 namespace fs = std::filesystem;
 
-const fs::path kReferences = fs::path(OFFING_TEST_DATA) / "golden" / "references";
-const fs::path kOutput = fs::path(OFFING_TEST_OUTPUT) / "golden";
+const fs::path kReferences = test::test_data() / "golden" / "references";
+const fs::path kOutput = test::test_output() / "golden";
 
 // Two pictures of one view count as the same up to these. The same binary and driver give 0. Other
 // compilers and drivers round otherwise: a boat and wind whose speeds are 10⁻⁶ off give a mean of

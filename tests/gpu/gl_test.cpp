@@ -12,6 +12,7 @@
 #include "engine/graph/frame_graph.h"
 #include "engine/graph/gl_device.h"
 #include "support/gl_test.h"
+#include "support/paths.h"
 
 namespace offing {
 namespace {
@@ -72,7 +73,7 @@ class Shaders : public GlTest {
   void SetUp() override {
     GlTest::SetUp();
     // One for each test: several run at once.
-    folder_ = fs::path(OFFING_TEST_OUTPUT) / "shaders" /
+    folder_ = test::test_output() / "shaders" /
               ::testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::remove_all(folder_);
     fs::create_directories(folder_);

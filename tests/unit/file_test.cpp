@@ -8,13 +8,14 @@
 #include <iterator>
 
 #include "engine/core/error.h"
+#include "support/paths.h"
 
 namespace offing {
 namespace {
 namespace fs = std::filesystem;
 
 struct File : testing::Test {
-  File() : folder(fs::path(OFFING_TEST_OUTPUT) / ("file-" + std::to_string(::getpid()))) {
+  File() : folder(test::test_output() / ("file-" + std::to_string(::getpid()))) {
     fs::create_directories(folder);
   }
   ~File() override { fs::remove_all(folder); }

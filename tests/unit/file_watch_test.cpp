@@ -1,4 +1,5 @@
 #include "engine/platform/file_watch.h"
+#include "support/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ class FileWatchTest : public ::testing::Test {
  protected:
   void SetUp() override {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(OFFING_TEST_OUTPUT) / "file_watch" / test->name();
+    folder_ = test::test_output() / "file_watch" / test->name();
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "ocean");
     write("sky.frag", "one");

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/core/error.h"
+#include "support/paths.h"
 
 namespace offing {
 namespace {
@@ -81,7 +82,7 @@ struct Published : testing::Test {
     if (!reads_pictures()) GTEST_SKIP() << "this build has no OpenImageIO";
   }
   static Image picture(const std::string& name) {
-    return read_image(std::string(OFFING_TEST_DATA) + "/data/flip/" + name);
+    return read_image(test::test_data() / "data/flip" / name);
   }
   // Half a thousandth: what two implementations differ by in single precision, with room.
   static void expect(const FlipResult& result, double mean, double median, double maximum) {

@@ -9,6 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/io/file.h"
 #include "engine/io/pfm.h"
+#include "support/paths.h"
 #include "unit/png_bytes.h"
 
 namespace offing {
@@ -24,7 +25,7 @@ Image gradient(int width, int height, int channels) {
 }
 
 struct Pictures : testing::Test {
-  Pictures() : folder(fs::path(OFFING_TEST_OUTPUT) / ("image-" + std::to_string(::getpid()))) {
+  Pictures() : folder(test::test_output() / ("image-" + std::to_string(::getpid()))) {
     fs::create_directories(folder);
   }
   ~Pictures() override { fs::remove_all(folder); }

@@ -12,6 +12,7 @@
 #include "engine/core/error.h"
 #include "engine/core/random.h"
 #include "engine/io/file.h"
+#include "support/paths.h"
 #include "unit/png_bytes.h"
 
 namespace offing {
@@ -87,7 +88,7 @@ struct Boat {
 };
 
 struct Models : testing::Test {
-  Models() : folder(fs::path(OFFING_TEST_OUTPUT) / ("model-" + std::to_string(::getpid()))) {
+  Models() : folder(test::test_output() / ("model-" + std::to_string(::getpid()))) {
     fs::create_directories(folder / "inside");
   }
   ~Models() override { fs::remove_all(folder); }

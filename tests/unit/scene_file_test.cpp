@@ -5,13 +5,14 @@
 
 #include "engine/core/error.h"
 #include "engine/io/file.h"
+#include "support/paths.h"
 
 namespace offing {
 namespace {
 namespace fs = std::filesystem;
 
 struct SceneFile : testing::Test {
-  SceneFile() : folder(fs::path(OFFING_TEST_OUTPUT) / ("scene-" + std::to_string(::getpid()))) {
+  SceneFile() : folder(test::test_output() / ("scene-" + std::to_string(::getpid()))) {
     fs::create_directories(folder);
     table.group("environment")
         .text("date", date, "", [](std::string_view) { return std::string(); })
