@@ -27,11 +27,12 @@ struct Options {
   int warmup = 0;
   std::filesystem::path report;
   std::filesystem::path json;
+  std::filesystem::path plot;
 
   // export
   std::optional<double> time;
   std::filesystem::path points;
-  std::string method = "readback";
+  std::string method;  ///< empty: the default of what is exported
   std::string tws = "6,12,20", twa = "45,60,90,120,150";
   double seconds = 60.0;
   double dt = 1.0 / 120.0;

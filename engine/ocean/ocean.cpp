@@ -183,7 +183,7 @@ void Ocean::update_block(const OceanView& view) {
 }
 
 void Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
-                     const SkyAccess& sky, TextureId dry, TextureId hdr, TextureId depth,
+                     const LightAccess& sky, TextureId dry, TextureId hdr, TextureId depth,
                      bool visible) {
   std::vector<SeaMesh::Square> squares;
   if (visible) {

@@ -37,9 +37,9 @@ struct OceanView {
   double eye_height = 2.0;             ///< above the mean sea level, m
 };
 
-/// How a pass reaches the sky, which lies above the sea in the order of includes: what sky.glsl
-/// reads is declared at set-up and bound when drawing.
-struct SkyAccess {
+/// How a pass reaches the light of sky, probe and clouds, which lie above the sea in the order of
+/// includes: what their shaders read is declared at set-up and bound when drawing.
+struct LightAccess {
   std::function<void(PassBuilder&)> declare;
   std::function<void(const PassContext&)> bind;
 };
@@ -62,7 +62,7 @@ class Ocean {
   /// graph runs. They do not run where not `visible`. Nothing is drawn inside a hull: `dry`, a
   /// picture of the same size, holds 1 / distance to its near side and the distance to its far
   /// side.
-  void add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea, const SkyAccess& sky,
+  void add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea, const LightAccess& sky,
                 TextureId dry, TextureId hdr, TextureId depth, bool visible);
 
   /// Takes in what has come back of the sea; never waits.

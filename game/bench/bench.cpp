@@ -2,35 +2,24 @@
 
 #include <fmt/core.h>
 
+#include <map>
+
 #include "engine/core/error.h"
-#include "engine/io/file.h"
-#include "game/render/voyage.h"
+#include "game/bench/benches.h"
 
 namespace offing {
-namespace {
-
-// Every pass of the frame, timed one by one.
-void bench_frame(const Options& options) {
-  Voyage voyage(options, options.size.value_or(glm::ivec2(640, 360)));
-  voyage.renderer().graph().set_timing(true);
-  for (int frame = 0; frame < options.warmup; ++frame) voyage.next_frame();
-  voyage.reset_measures();
-  for (int frame = 0; frame < options.frames; ++frame) voyage.next_frame();
-  const std::string report = report_of(voyage, options);
-  if (options.json.empty()) {
-    fmt::print("{}", report);
-  } else {
-    write_text(options.json, report);
-  }
-}
-
-}  // namespace
 
 void run_bench(const Options& options) {
-  if (options.what != "frame") {
-    throw InputError(fmt::format("bench {}: no such benchmark; there is frame", options.what));
+  static const std::map<std::string, void (*)(const Options&)> benches = {
+      {"frame", bench_frame},
+  };
+  const auto found = benches.find(options.what);
+  if (found == benches.end()) {
+    std::string names;
+    for (const auto& [name, function] : benches) names += (names.empty() ? "" : ", ") + name;
+    throw InputError(fmt::format("bench {}: no such benchmark; there are {}", options.what, names));
   }
-  bench_frame(options);
+  found->second(options);
 }
 
 }  // namespace offing

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "engine/core/error.h"
 #include "engine/io/file.h"
 #include "game/export/csv.h"
 #include "game/export/exports.h"
@@ -15,8 +16,10 @@ void export_heights(const Scene& scene, const Options& options) {
   if (options.method == "direct") {
     const OceanSettings settings = sea_settings(options);
     direct_water(scene, settings.cascades, settings.size).sample(points, time, samples);
-  } else {
+  } else if (options.method.empty() || options.method == "readback") {
     SeaRun(scene, options).water().sample(points, time, samples);
+  } else {
+    throw InputError(fmt::format("--method {}: heights has readback and direct", options.method));
   }
   std::string text = "x,z,height,nx,ny,nz,velocity_y\n";
   for (std::size_t i = 0; i < points.size(); ++i) {

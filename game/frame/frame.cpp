@@ -34,7 +34,7 @@ OceanView ocean_view(const FrameView& view) {
   return {view.frame.clip_from_relative, {view.camera.x, view.camera.z}, view.camera.y};
 }
 
-SkyAccess sky_access(const Sky& sky, const SkyIds& ids) {
+LightAccess light_access(const Sky& sky, const SkyIds& ids) {
   return {[ids](PassBuilder& pass) { ids.read_by(pass); },
           [&sky, ids](const PassContext& context) { sky.bind(context, ids); }};
 }
@@ -65,7 +65,7 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   const SeaIds sea = t.ocean.add_maps(graph, view.sea_time);
   const TextureId hull = t.boat.add_mask(graph, view.boat, view.frame);
   t.boat.add(graph, view.boat, view.frame, hdr, depth);
-  t.ocean.add_draw(graph, ocean_view(view), sea, sky_access(t.sky, sky), hull, hdr, depth,
+  t.ocean.add_draw(graph, ocean_view(view), sea, light_access(t.sky, sky), hull, hdr, depth,
                    view.sea_visible);
   t.sky.add_background(graph, view.light, sky, hdr, depth, view.sky_visible);
   t.tonemap.add(graph, hdr, display, {.exposure = view.light.exposure, .count_nonfinite = true});

@@ -7,6 +7,8 @@
 // Uniform blocks
 #define OFFING_BIND_FRAME 0  // shared/frame.h
 #define OFFING_BIND_SKY 1    // shared/sky.h
+#define OFFING_BIND_CLOUDS 2  // shared/clouds.h
+#define OFFING_BIND_PROBE 3  // shared/probe.h
 
 // Texture units
 #define OFFING_UNIT_SKY_SUN 8         // sky view of the sun
@@ -14,3 +16,7 @@
 #define OFFING_UNIT_TRANSMITTANCE 10  // of the air
 #define OFFING_UNIT_MULTISCATTER 11   // of the air
 #define OFFING_UNIT_GUSTS 12          // engine/environment/gust_field.h, repeating
+#define OFFING_UNIT_PROBE 13          // reflection probe
+#define OFFING_UNIT_CLOUD_SHADOW 14   // what clouds leave of the sun
+#define OFFING_UNIT_CLOUD_MAP 15      // clouds seen from the boat, for the probe
+#define OFFING_UNIT_FOAM 16           // accumulated foam of the sea

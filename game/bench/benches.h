@@ -1,0 +1,10 @@
+#pragma once
+#include "game/options.h"
+
+namespace offing {
+
+/// One function per benchmark; each prints its report or writes options.json, and draws
+/// options.plot where it is given and the benchmark has curves.
+void bench_frame(const Options& options);
+
+}  // namespace offing
