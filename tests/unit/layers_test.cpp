@@ -100,7 +100,7 @@ std::vector<std::string> problems_of(const Includes& files) {
 }
 
 TEST(Layers, EveryIncludePointsDown) {
-  const Includes files = read_tree(test::test_data() / "..");
+  const Includes files = read_tree(offing::test::test_data() / "..");
   ASSERT_GT(files.size(), 20u) << "the source tree was not found";
   ASSERT_TRUE(files.count("engine/core/error.h"));
   for (const std::string& problem : problems_of(files)) ADD_FAILURE() << problem;
