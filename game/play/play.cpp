@@ -131,11 +131,7 @@ class Play {
   }
 
   void draw(double dt) {
-    // Waves are raised anew at most twice a second while a slider or key is moving.
-    if (const double now = seconds_now(); now > next_sea_) {
-      renderer_.set_sea(world_.scene());
-      next_sea_ = now + 0.5;
-    }
+    renderer_.turn_sea(world_.scene());
     const glm::ivec2 size = window_.framebuffer_size();
     if (size.x < 1 || size.y < 1) return;
     const FrameView view = extractor_.extract(world_, size, dt, frame_++);
@@ -207,7 +203,7 @@ class Play {
   HudInfo info_;
   std::vector<PassReport> shown_passes_;
   int frame_ = 0;
-  double next_sea_ = 0.0, next_report_ = 0.0;
+  double next_report_ = 0.0;
   bool photo_wanted_ = false, log_state_ = false;
 };
 
