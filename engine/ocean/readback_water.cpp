@@ -13,7 +13,6 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTolerance = 0.002;  // m, of the place that a query meets
 constexpr int kSteps = 8;
-constexpr double kLongestReach = 0.25;  // s that the newest result is extrapolated at most
 constexpr double kLongestStep = 0.5;    // s between results that still give a velocity
 
 /// Catmull-Rom weights of four neighbours, and their derivatives, at 0 <= t < 1 between the middle
@@ -100,6 +99,12 @@ double ReadbackWater::newest_time() const {
   return now == nullptr ? kNever : now->newest->time;
 }
 
+double ReadbackWater::age(double time) const {
+  const auto now = snapshot();
+  return now == nullptr ? std::numeric_limits<double>::infinity()
+                        : std::abs(time - now->newest->time);
+}
+
 void ReadbackWater::sample(std::span<const glm::dvec2> points, double time,
                            std::span<WaterSample> out) const {
   const auto now = snapshot();
@@ -111,6 +116,7 @@ void ReadbackWater::sample(std::span<const glm::dvec2> points, double time,
   const Moment* before = now->before.get();
   const double step = before == nullptr ? 0.0 : newest.time - before->time;
   const double reach = std::clamp(time - newest.time, -kLongestReach, kLongestReach);
+  const double left = share_left(std::abs(time - newest.time));
   const double ahead = before == nullptr ? 0.0 : reach / step;
   const int size = now->size, mask = size - 1;
 
@@ -154,6 +160,11 @@ void ReadbackWater::sample(std::span<const glm::dvec2> points, double time,
       p.dzz += dz.z;
       p.dxz += 0.5 * (dx.z + dz.x);
     }
+    p.displacement *= left;
+    p.slope *= left;
+    p.dxx *= left;
+    p.dzz *= left;
+    p.dxz *= left;
     return p;
   };
 
@@ -162,7 +173,7 @@ void ReadbackWater::sample(std::span<const glm::dvec2> points, double time,
     const SurfacePoint p = surface(q);
     out[i].height = p.displacement.y;
     out[i].normal = surface_normal(p);
-    out[i].velocity = before == nullptr ? glm::dvec3(0.0) : change / step;
+    out[i].velocity = before == nullptr ? glm::dvec3(0.0) : left * change / step;
   }
 }
 

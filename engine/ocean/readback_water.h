@@ -15,7 +15,8 @@ namespace offing {
 /// The sea as the GPU computed it, brought back without waiting: the displacement maps of the long
 /// cascades in single precision, each tagged with its simulation time. A query interpolates them
 /// (bicubic), inverts the sideways motion, and extrapolates the two newest to the asked time.
-/// Until the first result has arrived the water is flat; after one result it stands still.
+/// Until the first result has arrived the water is flat; after one result it stands still. Where
+/// results fail to come it is carried on for kLongestReach and then flattened.
 class ReadbackWater final : public WaterSurface {
  public:
   ReadbackWater(int cascades, int size);
@@ -34,6 +35,7 @@ class ReadbackWater final : public WaterSurface {
 
   void sample(std::span<const glm::dvec2> points, double time,
               std::span<WaterSample> out) const override;
+  double age(double time) const override;
 
  private:
   struct Grid {
