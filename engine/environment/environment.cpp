@@ -64,6 +64,7 @@ void Environment::apply_fields() {
 void Environment::advance(double dt) {
   if (paused) return;
   elapsed_ += dt;
+  air_drift_ += dt * wind_velocity();
   const glm::dvec2 moved = gust_origin_ + dt * wind_velocity();
   gust_origin_ = {wrapped(moved.x, GustField::kPeriod), wrapped(moved.y, GustField::kPeriod)};
   set_utc_seconds(utc_seconds_ + clock_rate * dt);
@@ -82,6 +83,7 @@ void Environment::set_utc_seconds(double seconds) {
 
 void Environment::set_elapsed(double seconds) {
   elapsed_ = seconds;
+  air_drift_ = seconds * wind_velocity();
   const glm::dvec2 moved = seconds * wind_velocity();
   gust_origin_ = {wrapped(moved.x, GustField::kPeriod), wrapped(moved.y, GustField::kPeriod)};
 }

@@ -69,6 +69,8 @@ class Environment {
   double gust_factor(glm::dvec2 position) const;
   /// Where the gust field's origin lies now (x, z; metres, within one period), for its texture.
   glm::dvec2 gust_origin() const { return gust_origin_; }
+  /// How far the mean wind at 10 m has carried the air since time 0 (x, z; m): where clouds are.
+  glm::dvec2 air_drift() const { return air_drift_; }
 
   /// Sun and moon for the clock and the place.
   const CelestialState& celestial() const;
@@ -78,6 +80,7 @@ class Environment {
   double utc_seconds_ = 0.0;
   double elapsed_ = 0.0;
   glm::dvec2 gust_origin_{0.0};
+  glm::dvec2 air_drift_{0.0};
   mutable Ephemeris ephemeris_;
   mutable CelestialState celestial_;
   mutable double celestial_key_[3] = {1e300, 0.0, 0.0};
