@@ -28,7 +28,9 @@ glm::vec4 pack(double x, double y, double z, double w) { return glm::vec4(glm::d
 /// Into one period of the texture, which is two wavelengths.
 double in_period(double wavelengths) { return wavelengths - 2.0 * std::floor(0.5 * wavelengths); }
 
-shared::GardnerData gardner_data(const GardnerView& view, const SkyLight& light) {
+/// `high_threshold`: what the texture exceeds over the share of the sky that high clouds cover.
+shared::GardnerData gardner_data(const GardnerView& view, const SkyLight& light,
+                                 double high_threshold) {
   const GardnerParameters& p = view.parameters;
   shared::GardnerData data{};
   const auto luminance = [](const glm::dvec3& c) {
@@ -47,18 +49,16 @@ shared::GardnerData gardner_data(const GardnerView& view, const SkyLight& light)
                    in_period(glm::dot(place, glm::dvec2(-to.y, to.x)) / wavelength),
                    1.0 / wavelength, kHighHeight);
   data.high_wind = pack(to.x, to.y, p.high_stretch, p.contrast);
-  // Half the veil is thin: the share of the sky that it covers counts where it begins.
-  const double share = std::clamp(view.weather.high, 0.0, 1.0);
-  data.high_form = pack(gardner_threshold(share, p.terms, p.contrast), p.high_range,
-                        p.high_depth * (0.35 + 0.65 * share), p.terms);
+  data.high_form =
+      pack(high_threshold, p.high_range, p.high_depth * (0.35 + 0.65 * view.weather.high), p.terms);
 
   data.shading = pack(p.ambient, p.texture, p.specular, p.contrast);
   data.translucency = pack(p.threshold, p.limb_threshold, p.range, p.terms);
   const double low = 1000.0 * p.wavelength;
-  data.pattern = pack(glm::dvec3(in_period((view.eye.x - view.low_carried.x) / low),
-                                 in_period(view.eye.y / low),
-                                 in_period((view.eye.z - view.low_carried.y) / low)),
-                      1.0 / low);
+  data.pattern = pack(
+      glm::dvec3(in_period((view.eye.x - view.low_carried.x) / low), in_period(view.eye.y / low),
+                 in_period((view.eye.z - view.low_carried.y) / low)),
+      1.0 / low);
   return data;
 }
 
@@ -82,21 +82,18 @@ void GardnerParameters::describe(FieldTable& table) {
       .number("wavelength", wavelength, {0.1, 20.0}, "km", "of the ellipsoids' texture");
 }
 
-double gardner_threshold(double share, int terms, double contrast) {
+std::vector<double> gardner_values(int terms, double contrast) {
   constexpr int kSide = 96;
-  static_assert(kSide * kSide < 10000);
   std::vector<double> values;
   values.reserve(kSide * kSide);
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) {
-      // One period; an odd step keeps off the lattice of the sines' zeros.
-      values.push_back(glsl::gardner_texture({2.0 * (x + 0.37) / kSide, 2.0 * (y + 0.61) / kSide, 0.0},
-                                             terms, contrast, 0.0));
+      values.push_back(glsl::gardner_texture(
+          {2.0 * (x + 0.37) / kSide, 2.0 * (y + 0.61) / kSide, 0.0}, terms, contrast, 0.0));
     }
   }
   std::sort(values.begin(), values.end());
-  const double rank = (1.0 - std::clamp(share, 0.0, 1.0)) * static_cast<double>(values.size() - 1);
-  return values[static_cast<std::size_t>(rank)];
+  return values;
 }
 
 std::vector<GardnerEllipsoid> gardner_cumuli(const GardnerView& view) {
@@ -148,12 +145,20 @@ GardnerClouds::GardnerClouds(ShaderLibrary& shaders)
 
 void GardnerClouds::add(FrameGraph& graph, const GardnerView& view, const SkyLight& light,
                         const Sky& sky, const SkyIds& sky_ids, TextureId hdr, TextureId depth) {
-  const bool high =
-      view.sky_visible && view.weather.high > 0.0 && view.eye.y < kHighHeight - 100.0;
+  const bool high = view.sky_visible && view.weather.high > 0.0 && view.eye.y < kHighHeight - 100.0;
   const bool heaps = view.sky_visible && view.ellipsoids && view.weather.cover > 0.0;
   const BufferId block = graph.import(block_);
   if (high || heaps) {
-    const shared::GardnerData data = gardner_data(view, light);
+    const GardnerParameters& p = view.parameters;
+    if (values_terms_ != p.terms || values_contrast_ != p.contrast) {
+      values_ = gardner_values(p.terms, p.contrast);
+      values_terms_ = p.terms;
+      values_contrast_ = p.contrast;
+    }
+    const double rank =
+        (1.0 - std::clamp(view.weather.high, 0.0, 1.0)) * static_cast<double>(values_.size() - 1);
+    const shared::GardnerData data =
+        gardner_data(view, light, values_[static_cast<std::size_t>(rank)]);
     graph.add(
         "clouds.gardner_block",
         [&](PassBuilder& pass) {

@@ -37,13 +37,13 @@ struct GardnerParameters {
 
 /// What Gardner's clouds are drawn from.
 struct GardnerView {
-  Clouds weather;                    ///< cover and high
-  glm::dvec2 low_carried{0.0};       ///< how far the wind has carried the cumuli (x, z; m)
-  glm::dvec2 high_carried{0.0};      ///< and the cirrus
-  glm::dvec2 wind_to{0.0, 1.0};      ///< unit (x, z)
-  glm::dvec3 eye{0.0};               ///< the camera in the world, m
-  double base = 700.0;               ///< of cumuli, m
-  bool ellipsoids = false;           ///< whether cumuli are drawn this way
+  Clouds weather;                ///< cover and high
+  glm::dvec2 low_carried{0.0};   ///< how far the wind has carried the cumuli (x, z; m)
+  glm::dvec2 high_carried{0.0};  ///< and the cirrus
+  glm::dvec2 wind_to{0.0, 1.0};  ///< unit (x, z)
+  glm::dvec3 eye{0.0};           ///< the camera in the world, m
+  double base = 700.0;           ///< of cumuli, m
+  bool ellipsoids = false;       ///< whether cumuli are drawn this way
   bool sky_visible = true;
   std::uint64_t seed = 1;
   GardnerParameters parameters;
@@ -57,15 +57,16 @@ struct GardnerEllipsoid {
   float base;       ///< m over the sea
 };
 
-/// The cumuli round the camera, farthest first: heaps of ellipsoids on a grid that the wind carries.
-/// `cover` 0 to 1 is the share of the grid's cells that hold one.
+/// The cumuli round the camera, farthest first: heaps of ellipsoids on a grid that the wind
+/// carries. `cover` 0 to 1 is the share of the grid's cells that hold one.
 std::vector<GardnerEllipsoid> gardner_cumuli(const GardnerView& view);
 
-/// The value that the texture function on a plane exceeds over this share (0 to 1) of it.
-double gardner_threshold(double share, int terms, double contrast);
+/// What the texture function on a plane takes on, in order: an evenly spaced sample of one period.
+/// Some 5 ms.
+std::vector<double> gardner_values(int terms, double contrast);
 
-/// Clouds as G. Gardner drew them in 1985: high ones as a texture on a sky plane, and, as the cheapest
-/// tier, cumuli as translucent ellipsoids.
+/// Clouds as G. Gardner drew them in 1985: high ones as a texture on a sky plane, and, as the
+/// cheapest tier, cumuli as translucent ellipsoids.
 class GardnerClouds {
  public:
   explicit GardnerClouds(ShaderLibrary& shaders);
@@ -81,6 +82,9 @@ class GardnerClouds {
   gl::Buffer block_, ellipsoids_;
   gl::VertexArray ellipsoid_array_, no_vertices_;
   PassMemory block_memory_;
+  std::vector<double> values_;  ///< gardner_values() of these:
+  int values_terms_ = 0;
+  double values_contrast_ = 0.0;
 };
 
 }  // namespace offing
