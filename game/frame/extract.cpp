@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/clouds/cloud_field.h"
 #include "engine/core/angles.h"
 #include "engine/sky/sky.h"
 #include "game/frame/frame_view.h"
@@ -31,6 +32,24 @@ BoatView boat_view(const World& world, glm::dvec3 camera, const SkyLight& light)
   const double lux = std::max(light.level_illuminance(), 1e-6);
   view.navigation_lights =
       static_cast<float>(std::clamp(std::log(400.0 / lux) / std::log(40.0), 0.0, 1.0));
+  return view;
+}
+
+GardnerView gardner_view(const World& world, glm::dvec3 camera, bool sky_visible) {
+  const Scene& scene = world.scene();
+  const Environment& environment = world.environment();
+  CloudView air;  // for its wind aloft
+  air.drift = environment.air_drift();
+  GardnerView view;
+  view.weather = environment.clouds;
+  view.low_carried = cloud_carried(air, view.base);
+  view.high_carried = cloud_carried(air, 8200.0);
+  view.wind_to = environment.wind_to();
+  view.eye = camera;
+  view.ellipsoids = scene.cloud_method == static_cast<int>(CloudMethod::kEllipsoids);
+  view.sky_visible = sky_visible;
+  view.seed = static_cast<std::uint64_t>(scene.seed);
+  view.parameters = scene.gardner;
   return view;
 }
 
@@ -82,6 +101,7 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
 
   view.sea_visible = sea_in_view(frame.relative_from_clip, pose.position.y);
   view.sky_visible = sky_in_view(frame.relative_from_clip, pose.position.y);
+  view.gardner = gardner_view(world, pose.position, view.sky_visible);
   return view;
 }
 

@@ -44,6 +44,7 @@ LightAccess light_access(const Sky& sky, const SkyIds& ids) {
 Techniques::Techniques(ShaderLibrary& shaders, const Quality& quality)
     : sky(shaders, quality.level),
       ocean(shaders, OceanSettings::of_quality(quality.level)),
+      gardner(shaders),
       boat(shaders, load_model(data_root() / "assets/models/r8/r8.glb", kBoatNodeNames),
            load_boat_textures(data_root() / "assets/textures")),
       tonemap(shaders),
@@ -68,6 +69,7 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   t.ocean.add_draw(graph, ocean_view(view), sea, light_access(t.sky, sky), hull, hdr, depth,
                    view.sea_visible);
   t.sky.add_background(graph, view.light, sky, hdr, depth, view.sky_visible);
+  t.gardner.add(graph, view.gardner, view.light, t.sky, sky, hdr, depth);
   t.tonemap.add(graph, hdr, display, {.exposure = view.light.exposure, .count_nonfinite = true});
   return display;
 }

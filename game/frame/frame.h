@@ -1,4 +1,5 @@
 #pragma once
+#include "engine/clouds/gardner.h"
 #include "engine/gl/buffer.h"
 #include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
@@ -18,6 +19,7 @@ struct Techniques {
 
   Sky sky;
   Ocean ocean;
+  GardnerClouds gardner;
   BoatPass boat;
   Tonemap tonemap;
   gl::Buffer frame_block;  ///< shared::FrameData

@@ -2,6 +2,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "engine/clouds/gardner.h"
 #include "engine/sky/sky_light.h"
 #include "game/frame/boat_view.h"
 #include "game/world/world.h"
@@ -17,6 +18,7 @@ struct FrameView {
   double sea_time = 0.0;    ///< s
   SkyLight light;
   BoatView boat;
+  GardnerView gardner;
   bool sea_visible = true, sky_visible = true;
 };
 

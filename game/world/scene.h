@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/clouds/gardner.h"
 #include "engine/core/fields.h"
 #include "engine/environment/environment.h"
 #include "engine/ocean/sea_state.h"
@@ -28,12 +29,17 @@ struct CameraStart {
   double field_of_view_deg = 55.0;       ///< vertical
 };
 
+/// How low clouds are drawn.
+enum class CloudMethod : int { kVolumetric, kEllipsoids };
+
 /// Everything that a scene file can say. Its field table is the list of the scene keys.
 struct Scene {
   Environment environment;
   SeaState sea;
   BoatStart boat;
   CameraStart camera;
+  GardnerParameters gardner;
+  int cloud_method = static_cast<int>(CloudMethod::kVolumetric);
   int seed = 1;
   double sea_time = 0.0;  ///< the sea's clock at the start, s
 
