@@ -8,6 +8,7 @@
 #include "engine/core/fields.h"
 #include "engine/environment/environment.h"
 #include "engine/ocean/sea_state.h"
+#include "engine/sky/palette.h"
 
 namespace offing {
 
@@ -34,6 +35,7 @@ struct Scene {
   SeaState sea;
   BoatStart boat;
   CameraStart camera;
+  SkyLook sky;
   int seed = 1;
   double sea_time = 0.0;  ///< the sea's clock at the start, s
 
