@@ -9,6 +9,7 @@
 #include "engine/core/fields.h"
 #include "engine/environment/environment.h"
 #include "engine/ocean/sea_state.h"
+#include "engine/sky/palette.h"
 
 namespace offing {
 
@@ -40,6 +41,7 @@ struct Scene {
   CameraStart camera;
   GardnerParameters gardner;
   int cloud_method = static_cast<int>(CloudMethod::kVolumetric);
+  SkyLook sky;
   int seed = 1;
   double sea_time = 0.0;  ///< the sea's clock at the start, s
 
