@@ -1,4 +1,5 @@
 #pragma once
+#include "engine/clouds/clouds.h"
 #include "engine/gl/buffer.h"
 #include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
@@ -17,6 +18,7 @@ struct Techniques {
   Techniques(ShaderLibrary& shaders, const Quality& quality);
 
   Sky sky;
+  Cloudscape clouds;
   Ocean ocean;
   BoatPass boat;
   Tonemap tonemap;

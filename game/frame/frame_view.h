@@ -2,6 +2,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "engine/clouds/cloud_field.h"
 #include "engine/sky/sky_light.h"
 #include "game/frame/boat_view.h"
 #include "game/world/world.h"
@@ -16,6 +17,7 @@ struct FrameView {
   glm::dvec3 camera{0.0};   ///< world, m
   double sea_time = 0.0;    ///< s
   SkyLight light;
+  CloudView clouds;
   BoatView boat;
   bool sea_visible = true, sky_visible = true;
 };

@@ -11,6 +11,7 @@ FieldTable Scene::fields() {
   FieldTable table;
   environment.describe(table);
   sea.describe(table);
+  clouds.describe(table);
   table.group("boat")
       .number("heading", boat.heading_deg, {-360.0, 360.0}, "deg",
               "where the bow points at the start, true")

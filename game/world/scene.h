@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/clouds/cloud_parameters.h"
 #include "engine/core/fields.h"
 #include "engine/environment/environment.h"
 #include "engine/ocean/sea_state.h"
@@ -32,6 +33,7 @@ struct CameraStart {
 struct Scene {
   Environment environment;
   SeaState sea;
+  CloudParameters clouds;
   BoatStart boat;
   CameraStart camera;
   int seed = 1;
