@@ -53,6 +53,20 @@ GardnerView gardner_view(const World& world, glm::dvec3 camera, bool sky_visible
   return view;
 }
 
+CloudView cloud_view(const World& world, glm::dvec3 camera) {
+  const Environment& environment = world.environment();
+  CloudView view;
+  view.weather = environment.clouds;
+  view.drift = environment.air_drift();
+  view.wind_to = environment.wind_to();
+  view.wind_speed = environment.wind.speed;
+  view.elapsed = environment.elapsed();
+  view.eye = camera;
+  view.seed = static_cast<std::uint64_t>(world.scene().seed);
+  view.parameters = world.scene().clouds;
+  return view;
+}
+
 // Whether any pixel looks below the horizon of the sea, waves included.
 bool sea_in_view(const glm::mat4& relative_from_clip, double camera_height) {
   constexpr double kEarthRadius = 6.36e6, kTallestWave = 20.0;
@@ -98,6 +112,7 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
   view.sea_time = world.drawn_time();
   view.light = paint(world.scene(),
                      light_.update(environment.celestial(), environment.haze, pose.position.y));
+  view.clouds = cloud_view(world, pose.position);
   view.boat = boat_view(world, pose.position, view.light);
 
   const double aspect = static_cast<double>(size.x) / size.y;

@@ -1,5 +1,6 @@
 #pragma once
 #include "engine/clouds/gardner.h"
+#include "engine/clouds/clouds.h"
 #include "engine/gl/buffer.h"
 #include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
@@ -18,6 +19,7 @@ struct Techniques {
   Techniques(ShaderLibrary& shaders, const Quality& quality);
 
   Sky sky;
+  Cloudscape clouds;
   Ocean ocean;
   GardnerClouds gardner;
   BoatPass boat;

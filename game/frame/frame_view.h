@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/sky/palette.h"
+#include "engine/clouds/cloud_field.h"
 #include "engine/sky/sky_light.h"
 #include "game/frame/boat_view.h"
 #include "game/world/world.h"
@@ -20,6 +21,7 @@ struct FrameView {
   glm::dvec3 camera{0.0};   ///< world, m
   double sea_time = 0.0;    ///< s
   SkyLight light;
+  CloudView clouds;
   BoatView boat;
   GardnerView gardner;
   bool sea_visible = true, sky_visible = true;

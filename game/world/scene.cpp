@@ -15,6 +15,7 @@ FieldTable Scene::fields() {
                                "how low clouds are drawn: in volume, or as Gardner's ellipsoids");
   gardner.describe(table);
   sky.describe(table);
+  clouds.describe(table);
   table.group("boat")
       .number("heading", boat.heading_deg, {-360.0, 360.0}, "deg",
               "where the bow points at the start, true")

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/clouds/gardner.h"
+#include "engine/clouds/cloud_parameters.h"
 #include "engine/core/fields.h"
 #include "engine/environment/environment.h"
 #include "engine/ocean/sea_state.h"
@@ -37,6 +38,7 @@ enum class CloudMethod : int { kVolumetric, kEllipsoids };
 struct Scene {
   Environment environment;
   SeaState sea;
+  CloudParameters clouds;
   BoatStart boat;
   CameraStart camera;
   GardnerParameters gardner;
