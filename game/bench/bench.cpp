@@ -12,6 +12,7 @@ namespace offing {
 void run_bench(const Options& options) {
   static const std::map<std::string, void (*)(const Options&)> benches = {
       {"frame", bench_frame},
+      {"ocean", bench_ocean},
   };
   const auto found = benches.find(options.what);
   if (found == benches.end()) {
