@@ -16,8 +16,8 @@ namespace offing {
 namespace {
 
 constexpr double kHighHeight = 8200.0;  // m
-constexpr double kCell = 2100.0;        // m between cumuli
-constexpr int kCellsAcross = 6;         // on either side of the camera
+constexpr double kCell = 1900.0;        // m between cumuli
+constexpr int kCellsAcross = 7;         // on either side of the camera
 constexpr int kHeap = 7;                // ellipsoids of a cumulus at most
 constexpr int kMostEllipsoids = (2 * kCellsAcross + 1) * (2 * kCellsAcross + 1) * kHeap;
 constexpr int kDomeVertices = 96 * 3;  // as in sky/dome.vert
