@@ -12,6 +12,7 @@ namespace offing {
 void run_bench(const Options& options) {
   static const std::map<std::string, void (*)(const Options&)> benches = {
       {"frame", bench_frame},
+      {"probe", bench_probe},
   };
   const auto found = benches.find(options.what);
   if (found == benches.end()) {

@@ -34,15 +34,23 @@ OceanView ocean_view(const FrameView& view) {
   return {view.frame.clip_from_relative, {view.camera.x, view.camera.z}, view.camera.y};
 }
 
-LightAccess light_access(const Sky& sky, const SkyIds& ids) {
-  return {[ids](PassBuilder& pass) { ids.read_by(pass); },
-          [&sky, ids](const PassContext& context) { sky.bind(context, ids); }};
+LightAccess light_access(const Sky& sky, const SkyIds& sky_ids, const Probe& probe,
+                         const ProbeIds& probe_ids) {
+  return {[=](PassBuilder& pass) {
+            sky_ids.read_by(pass);
+            probe_ids.read_by(pass);
+          },
+          [&sky, &probe, sky_ids, probe_ids](const PassContext& context) {
+            sky.bind(context, sky_ids);
+            probe.bind(context, probe_ids);
+          }};
 }
 
 }  // namespace
 
 Techniques::Techniques(ShaderLibrary& shaders, const Quality& quality)
     : sky(shaders, quality.level),
+      probe(shaders, ProbeSettings::of_quality(quality.level)),
       ocean(shaders, OceanSettings::of_quality(quality.level)),
       boat(shaders, load_model(data_root() / "assets/models/r8/r8.glb", kBoatNodeNames),
            load_boat_textures(data_root() / "assets/textures")),
@@ -62,11 +70,12 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
 
   add_begin(graph, view, t.frame_block, hdr, depth);
   const SkyIds sky = t.sky.add_tables(graph, view.light);
+  const ProbeIds probe = t.probe.add(graph, view.light, view.frame.wind.w, t.sky, sky);
+  const LightAccess light = light_access(t.sky, sky, t.probe, probe);
   const SeaIds sea = t.ocean.add_maps(graph, view.sea_time);
   const TextureId hull = t.boat.add_mask(graph, view.boat, view.frame);
-  t.boat.add(graph, view.boat, view.frame, hdr, depth);
-  t.ocean.add_draw(graph, ocean_view(view), sea, light_access(t.sky, sky), hull, hdr, depth,
-                   view.sea_visible);
+  t.boat.add(graph, view.boat, view.frame, light, hdr, depth);
+  t.ocean.add_draw(graph, ocean_view(view), sea, light, hull, hdr, depth, view.sea_visible);
   t.sky.add_background(graph, view.light, sky, hdr, depth, view.sky_visible);
   t.tonemap.add(graph, hdr, display, {.exposure = view.light.exposure, .count_nonfinite = true});
   return display;

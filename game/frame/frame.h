@@ -5,6 +5,7 @@
 #include "engine/ocean/ocean.h"
 #include "engine/post/tonemap.h"
 #include "engine/shader/shader_library.h"
+#include "engine/sky/probe.h"
 #include "engine/sky/sky.h"
 #include "game/frame/boat_pass.h"
 #include "game/frame/frame_view.h"
@@ -17,6 +18,7 @@ struct Techniques {
   Techniques(ShaderLibrary& shaders, const Quality& quality);
 
   Sky sky;
+  Probe probe;
   Ocean ocean;
   BoatPass boat;
   Tonemap tonemap;
