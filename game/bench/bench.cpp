@@ -13,6 +13,7 @@ void run_bench(const Options& options) {
   static const std::map<std::string, void (*)(const Options&)> benches = {
       {"frame", bench_frame},
       {"ocean", bench_ocean},
+      {"probe", bench_probe},
   };
   const auto found = benches.find(options.what);
   if (found == benches.end()) {

@@ -390,15 +390,19 @@ void BoatPass::draw(const Frame& frame) const {
 }
 
 void BoatPass::add(FrameGraph& graph, const BoatView& view, const shared::FrameData& frame,
-                   TextureId hdr, TextureId depth) const {
+                   const LightAccess& light, TextureId hdr, TextureId depth) const {
   const glm::vec3 middle = view.position + view.orientation * kMiddle;
   const bool visible = sphere_in_view(frame.clip_from_relative, middle, kRadius);
   graph.add(
       "boat",
       [&](PassBuilder& pass) {
+        light.declare(pass);
         pass.modify(hdr).modify(depth).render_to({hdr}, depth).skip_if(!visible);
       },
-      [this, posed = pose(view, frame)](PassContext&) { draw(posed); });
+      [this, posed = pose(view, frame), bind = light.bind](PassContext& context) {
+        bind(context);
+        draw(posed);
+      });
 }
 
 TextureId BoatPass::add_mask(FrameGraph& graph, const BoatView& view,

@@ -7,6 +7,7 @@
 #include "engine/ocean/ocean.h"
 #include "engine/post/tonemap.h"
 #include "engine/shader/shader_library.h"
+#include "engine/sky/probe.h"
 #include "engine/sky/sky.h"
 #include "game/frame/boat_pass.h"
 #include "game/frame/frame_view.h"
@@ -20,6 +21,7 @@ struct Techniques {
 
   Sky sky;
   Cloudscape clouds;
+  Probe probe;
   Ocean ocean;
   GardnerClouds gardner;
   BoatPass boat;
