@@ -41,10 +41,13 @@ LightAccess light_access(const Sky& sky, const SkyIds& ids) {
 
 }  // namespace
 
-Techniques::Techniques(ShaderLibrary& shaders, const Quality& quality)
+Techniques::Techniques(ShaderLibrary& shaders, const Quality& quality,
+                       const std::filesystem::path& boat_model)
     : sky(shaders, quality.level),
       ocean(shaders, OceanSettings::of_quality(quality.level)),
-      boat(shaders, load_model(data_root() / "assets/models/r8/r8.glb", kBoatNodeNames),
+      boat(shaders,
+           load_model(boat_model.empty() ? data_root() / "assets/models/r8/r8.glb" : boat_model,
+                      kBoatNodeNames),
            load_boat_textures(data_root() / "assets/textures")),
       tonemap(shaders),
       frame_block("frame", sizeof(shared::FrameData)) {}

@@ -1,4 +1,6 @@
 #pragma once
+#include <filesystem>
+
 #include "engine/gl/buffer.h"
 #include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
@@ -14,7 +16,9 @@ namespace offing {
 
 /// Everything that draws, and what it keeps from frame to frame.
 struct Techniques {
-  Techniques(ShaderLibrary& shaders, const Quality& quality);
+  /// `boat_model`: a glTF file; empty for R8's own.
+  Techniques(ShaderLibrary& shaders, const Quality& quality,
+             const std::filesystem::path& boat_model);
 
   Sky sky;
   Ocean ocean;
