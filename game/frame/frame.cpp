@@ -60,13 +60,16 @@ CloudCamera cloud_camera(const FrameView& view) {
 
 }  // namespace
 
-Techniques::Techniques(ShaderLibrary& shaders, const Quality& quality)
+Techniques::Techniques(ShaderLibrary& shaders, const Quality& quality,
+                       const std::filesystem::path& boat_model)
     : sky(shaders, quality.level),
       clouds(shaders, quality.level),
       probe(shaders, ProbeSettings::of_quality(quality.level)),
       ocean(shaders, OceanSettings::of_quality(quality.level)),
       gardner(shaders),
-      boat(shaders, load_model(data_root() / "assets/models/r8/r8.glb", kBoatNodeNames),
+      boat(shaders,
+           load_model(boat_model.empty() ? data_root() / "assets/models/r8/r8.glb" : boat_model,
+                      kBoatNodeNames),
            load_boat_textures(data_root() / "assets/textures")),
       tonemap(shaders),
       frame_block("frame", sizeof(shared::FrameData)) {}

@@ -1,6 +1,8 @@
 #pragma once
 #include "engine/clouds/gardner.h"
 #include "engine/clouds/clouds.h"
+#include <filesystem>
+
 #include "engine/gl/buffer.h"
 #include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
@@ -17,7 +19,9 @@ namespace offing {
 
 /// Everything that draws, and what it keeps from frame to frame.
 struct Techniques {
-  Techniques(ShaderLibrary& shaders, const Quality& quality);
+  /// `boat_model`: a glTF file; empty for R8's own.
+  Techniques(ShaderLibrary& shaders, const Quality& quality,
+             const std::filesystem::path& boat_model);
 
   Sky sky;
   Cloudscape clouds;
