@@ -18,7 +18,7 @@ const std::map<std::string, std::string> kVerbs = {
     {"play", "sail in a window (what no verb means)"},
     {"render", "draw pictures without a window"},
     {"export", "data for other tools: ocean, heights, ephemeris, polar or boat"},
-    {"bench", "measure run time, and error where there is one: frame"},
+    {"bench", "measure run time, and error where there is one: frame, ocean, query or stress"},
 };
 
 std::string list_keys() {

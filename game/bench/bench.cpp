@@ -13,6 +13,8 @@ void run_bench(const Options& options) {
   static const std::map<std::string, void (*)(const Options&)> benches = {
       {"frame", bench_frame},
       {"ocean", bench_ocean},
+      {"query", bench_query},
+      {"stress", bench_stress},
   };
   const auto found = benches.find(options.what);
   if (found == benches.end()) {
