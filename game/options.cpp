@@ -19,8 +19,8 @@ const std::map<std::string, std::string> kVerbs = {
     {"render", "draw pictures without a window"},
     {"export", "data for other tools: ocean, heights, sky, clouds, ephemeris, polar or boat"},
     {"bench",
-     "measure run time, and error where there is one: frame, ocean, query, sky, probe, clouds or "
-     "boat"},
+     "measure run time, and error where there is one: frame, ocean, query, stress, sky, probe, "
+     "clouds or boat"},
 };
 
 std::string list_keys() {

@@ -105,11 +105,11 @@ void GpuMoments::compute(const Sea& sea, std::int64_t index) const {
   sea.grids.bind_storage(3);
   sea.columns->use();
   set_time(*sea.columns, static_cast<double>(index) * kMomentStep);
-  glDispatchCompute(static_cast<GLuint>(size / 2), count, 1);
+  glDispatchCompute(static_cast<GLuint>(groups_for(size / 2, size)), count, 1);
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   sea.out.bind_storage(0);
   sea.rows->use();
-  glDispatchCompute(static_cast<GLuint>(size), count, 1);
+  glDispatchCompute(static_cast<GLuint>(groups_for(size, size)), count, 1);
 }
 
 void GpuMoments::collect() {

@@ -19,6 +19,16 @@ int checked_cascades(int cascades) {
   return cascades;
 }
 
+ShaderDefines row_defines(int size, MapStorage storage) {
+  ShaderDefines defines = transform_defines(size, kFields);
+  if (storage == MapStorage::kHalfSlopes) defines.emplace_back("HALF_SLOPES", "");
+  return defines;
+}
+
+std::size_t float_bytes(MapStorage storage) {
+  return storage == MapStorage::kHalfSlopes ? sizeof(float) / 2 : sizeof(float);
+}
+
 std::size_t points(int cascades, int size) {
   return static_cast<std::size_t>(cascades) * static_cast<std::size_t>(size) *
          static_cast<std::size_t>(size);
@@ -26,22 +36,27 @@ std::size_t points(int cascades, int size) {
 
 }  // namespace
 
-SeaMaps::SeaMaps(ShaderLibrary& shaders, int cascades, int size)
+SeaMaps::SeaMaps(ShaderLibrary& shaders, int cascades, int size, MapStorage storage)
     : cascades_(checked_cascades(cascades)),
       size_(size),
+      storage_(storage),
       columns_(shaders.program({"ocean/columns.comp"}, transform_defines(size, kFields))),
-      rows_(shaders.program({"ocean/rows.comp"}, transform_defines(size, kFields))),
+      rows_(shaders.program({"ocean/rows.comp"}, row_defines(size, storage))),
       levels_(shaders.program({"ocean/levels.comp"})),
       twiddles_(make_twiddles(size)),
       modes_("sea.modes", points(cascades, size) * 4 * sizeof(float)),
       grids_("sea.grids", static_cast<std::size_t>(cascades) * 4 * sizeof(float)),
       work_("sea.work", work_bytes(cascades, size, kFields), 0),
+      displacement_points_("sea.displacement points", points(cascades, size) * 4 * sizeof(float),
+                           0),
+      slope_points_("sea.slope points", points(cascades, size) * float_bytes(storage) * 4, 0),
       displacement_("sea.displacement", {.format = GL_RGBA32F,
                                          .width = size,
                                          .height = size,
                                          .layers = cascades,
                                          .levels = shared::kOceanMapLevels}),
-      slopes_("sea.slopes", {.format = GL_RGBA16F,
+      slopes_("sea.slopes", {.format = static_cast<GLenum>(
+                                 storage == MapStorage::kHalfSlopes ? GL_RGBA16F : GL_RGBA32F),
                              .width = size,
                              .height = size,
                              .layers = cascades,
@@ -81,7 +96,8 @@ SeaIds SeaMaps::add(FrameGraph& graph, double time) {
         grids_.bind_storage(3);
         columns_.use();
         set_time(columns_, time);
-        glDispatchCompute(static_cast<GLuint>(size_ / 2), static_cast<GLuint>(cascades_), 1);
+        glDispatchCompute(static_cast<GLuint>(groups_for(size_ / 2, size_)),
+                          static_cast<GLuint>(cascades_), 1);
       });
 
   graph.add(
@@ -94,11 +110,15 @@ SeaIds SeaMaps::add(FrameGraph& graph, double time) {
         twiddles_.bind_storage(1);
         work_.bind_storage(2);
         grids_.bind_storage(3);
-        displacement_.bind_image(0, GL_WRITE_ONLY);
-        slopes_.bind_image(1, GL_WRITE_ONLY);
+        displacement_points_.bind_storage(4);
+        slope_points_.bind_storage(5);
         rows_.use();
-        glDispatchCompute(static_cast<GLuint>(size_), static_cast<GLuint>(cascades_), 1);
-        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+        glDispatchCompute(static_cast<GLuint>(groups_for(size_, size_)),
+                          static_cast<GLuint>(cascades_), 1);
+        glMemoryBarrier(GL_PIXEL_BUFFER_BARRIER_BIT);
+        displacement_.copy_from(displacement_points_.id(), GL_RGBA, GL_FLOAT);
+        slopes_.copy_from(slope_points_.id(), GL_RGBA,
+                          storage_ == MapStorage::kHalfSlopes ? GL_HALF_FLOAT : GL_FLOAT);
         levels_.use();
         for (const gl::Texture* map : {&displacement_, &slopes_}) {
           map->bind(0);

@@ -97,6 +97,12 @@ std::size_t work_bytes(int cascades, int size, int fields) {
          static_cast<std::size_t>(size) / 2 * static_cast<std::size_t>(fields) * 2 * sizeof(float);
 }
 
+int groups_for(int lines, int size) {
+  // As fft.glsl: 32 threads where shared memory holds that many lines.
+  const auto [a, b] = radices(size);
+  return size > 256 ? lines : lines * std::min(a, b) / 32;
+}
+
 void set_time(const ShaderProgram& columns, double time) {
   const auto bits = std::bit_cast<std::uint64_t>(time);
   columns.program().set(0, glm::ivec2(static_cast<std::int32_t>(bits & 0xffffffffu),

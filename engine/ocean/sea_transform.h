@@ -24,6 +24,8 @@ ShaderDefines transform_defines(int size, int fields);
 gl::Buffer make_twiddles(int size);
 /// Bytes of what columns hand to rows: half of the rows carry waves.
 std::size_t work_bytes(int cascades, int size, int fields);
+/// Groups of columns.comp (of size / 2 columns) or of rows (of size) for one cascade.
+int groups_for(int lines, int size);
 /// Tells columns.comp the sea's clock, s.
 void set_time(const ShaderProgram& columns, double time);
 

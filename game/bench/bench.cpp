@@ -15,6 +15,8 @@ void run_bench(const Options& options) {
       {"frame", bench_frame},
       {"ocean", bench_ocean},
       {"probe", bench_probe},
+      {"query", bench_query},
+      {"stress", bench_stress},
   };
   const auto found = benches.find(options.what);
   if (found == benches.end()) {
