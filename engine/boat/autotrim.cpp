@@ -13,7 +13,7 @@ namespace {
 /// sail at best lift against what holds her upright at 26 degrees, crew out.
 double power_for(const RigParameters& rig, double wind) {
   constexpr double kRightingMoment = 11500.0, kBestLift = 1.4, kArmBelow = 0.75;  // N m, -, m
-  const double area = rig.main_area + rig.jib_area;
+  const double area = std::max(rig.main_area + rig.jib_area, 1e-3);
   const double height =
       (rig.main_area * rig.main_height + rig.jib_area * rig.jib_height) / area + kArmBelow;
   const double full = 0.5 * kAirDensity * wind * wind * area * kBestLift * height;

@@ -81,14 +81,7 @@ Boat::Boat(const R8Parameters& parameters)
       keel_(p_.keel_span, p_.keel_chord, p_.keel_area),
       rudder_(p_.rudder_span, p_.rudder_chord, p_.rudder_area),
       rig_(p_.rig) {
-  // Weight over buoyancy on the design waterline, and the metacentre where the numbers want it.
-  const Immersion canoe = immerse_level(hull_.shape(), 0.0);
-  const double volume = canoe.volume + p_.keel_volume;
-  const glm::dvec3 buoyancy =
-      (canoe.volume * canoe.centroid + p_.keel_volume * p_.keel_place) / volume;
-  const double metacentre = buoyancy.y + canoe.transverse_inertia / volume;
-  centre_ = {0.0, metacentre - p_.metacentric_height, buoyancy.z};
-
+  centre_ = p_.centre_of_gravity;
   body_.mass = p_.mass;
   body_.added_mass = p_.mass * p_.added_mass;
   body_.inertia = p_.mass * p_.gyration * p_.gyration;
@@ -120,6 +113,8 @@ void Boat::start(glm::dvec2 position, double heading, double speed, const WaterS
   // Newton's method on heave, pitch and roll with the stiffness of the design waterline.
   const Immersion design = immerse_level(hull_.shape(), 0.0);
   const double weight = p_.mass * kGravity, unit = kWaterDensity * kGravity;
+  const double metacentre = design.centroid.y + design.transverse_inertia / design.volume;
+  const double stiffness = weight * std::max(metacentre - centre_.y, 0.2);
   for (int i = 0; i < 40; ++i) {
     const glm::dvec3 origin = motion_.position - motion_.orientation * centre_;
     probe_.sample(hull_.shape(), origin, motion_.orientation, water, time, 1.0);
@@ -136,7 +131,7 @@ void Boat::start(glm::dvec2 position, double heading, double speed, const WaterS
     motion_.position.y += 0.8 * rise + (i == 0 ? 0.2 * rise : 0.0);
     const glm::dvec3 torque = loads.torque();
     const double pitch = torque.x / (unit * design.longitudinal_inertia);
-    const double roll = torque.z / (weight * p_.metacentric_height);
+    const double roll = torque.z / stiffness;
     const glm::dquat turn = glm::angleAxis(std::clamp(0.7 * pitch, -0.1, 0.1), kStarboard) *
                             glm::angleAxis(std::clamp(0.7 * roll, -0.1, 0.1), kAft);
     const glm::dvec3 foot = motion_.position - motion_.orientation * centre_;
@@ -437,6 +432,7 @@ void Boat::step(const WaterSurface& water, const WindField& wind, double time, d
   state_.deck_water = deck_water_.on_deck();
   state_.cockpit_water = deck_water_.in_cockpit();
   navigate();
+  navigation_.water_is_late = water.stale(time + dt);
 }
 
 void Boat::navigate() {

@@ -145,7 +145,8 @@ RigReading Rig::add_loads(Loads& loads, const SailSet& set, const glm::dvec3& ce
   RigReading reading;
   const glm::dvec2 main_flow(main_wind.x, main_wind.z), jib_flow(jib_wind.x, jib_wind.z);
   const double main_speed = glm::length(main_flow), jib_speed = glm::length(jib_flow);
-  if (!set.hoisted || main_speed < 1e-6 || jib_speed < 1e-6) return reading;
+  if (!set.hoisted || p_.main_area + p_.jib_area <= 0.0 || main_speed < 1e-6 || jib_speed < 1e-6)
+    return reading;
   const double main_from = std::atan2(main_flow.x, main_flow.y);
   const double jib_from = std::atan2(jib_flow.x, jib_flow.y);
   reading.main = sail_coefficients(false, main_from, set.main_angle, p_.boom_stop, set.flat);

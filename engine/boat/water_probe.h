@@ -23,7 +23,8 @@ struct SliceWater {
   }
 };
 
-/// Asks the water at two points abreast of every slice, once a step, and keeps what the hull needs.
+/// Asks the water at two points abreast of every slice (of slices closer than half a metre: at
+/// stations that far apart), once a step, and keeps what the hull needs.
 /// A sample that is not a number or beyond any sea (40 m high, 30 m/s, flatter than upright by more
 /// than 80 degrees) is replaced by the last good one, or cut, and counted: hostile water gives odd
 /// motion for a moment, never a NaN.

@@ -12,9 +12,11 @@ class Window;
 /// so A and D lie side by side on every layout.
 enum class Key {
   kA,
+  kB,
   kC,
   kD,
   kF,
+  kG,
   kH,
   kI,
   kO,

@@ -21,6 +21,7 @@ const KeyHelp kKeyHelp[] = {
     {"R F", "jib sheet in, out"},
     {"T", "automatic trim on, off"},
     {"H", "hold this heading"},
+    {"G   B", "motor ahead   astern, 8 kW, for calms"},
     {"X", "tack or gybe"},
     {"1 2 3", "full sail, first reef, second reef"},
     {"C   V", "next camera   look astern"},
@@ -55,6 +56,7 @@ Helm Controls::helm(const Input& input, double dt) {
   helm.toggle_auto_trim = input.pressed(Key::kT) || input.pressed(PadButton::kY);
   helm.toggle_heading_hold = input.pressed(Key::kH) || input.pressed(PadButton::kA);
   helm.tack_or_gybe = input.pressed(Key::kX) || input.pressed(PadButton::kX);
+  helm.motor = axis(input.held(Key::kB), input.held(Key::kG));
   if (input.pressed(Key::kOne)) helm.reef = 0;
   if (input.pressed(Key::kTwo)) helm.reef = 1;
   if (input.pressed(Key::kThree)) helm.reef = 2;

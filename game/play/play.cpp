@@ -39,7 +39,8 @@ class Play {
       : window_({.title = "Offing",
                  .size = options.size.value_or(glm::ivec2(1280, 720)),
                  .vsync = true}),
-        renderer_(quality_named(options.quality, gl::current_renderer().software)),
+        renderer_(quality_named(options.quality, gl::current_renderer().software),
+                  scene_of(options).boat.model),
         shader_watch_(data_root() / "shaders"),
         world_(scene_of(options), primed(options)) {
     input_.attach(window_);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "engine/core/error.h"
+#include "engine/core/paths.h"
 #include "engine/io/scene_file.h"
 
 namespace offing {
@@ -20,7 +21,9 @@ FieldTable Scene::fields() {
       .number("heading", boat.heading_deg, {-360.0, 360.0}, "deg",
               "where the bow points at the start, true")
       .number("speed", boat.speed, {0.0, 10.0}, "m/s", "speed through the water at the start")
-      .vector("position", boat.position, {-1e7, 1e7}, "m", "x (east), z (south) at the start");
+      .vector("position", boat.position, {-1e7, 1e7}, "m", "x (east), z (south) at the start")
+      .text("file", boat.file, "a name in assets/boats/, or a TOML file", nullptr)
+      .text("model", boat.model, "a glTF file to draw her by; none: R8's own", nullptr);
   table.group("camera")
       .choice("mode", camera.mode, {"chase", "helm", "mast", "free", "orbit"},
               "where one looks from")
@@ -46,6 +49,8 @@ Scene make_scene(const std::string& name_or_file, const std::vector<std::string>
     }
     table.set_from_text(setting.substr(0, equals), setting.substr(equals + 1), "--set");
   }
+  scene.boat.parameters =
+      load_boat(find_data("boat.file", "boat", scene.boat.file, data_root() / "assets" / "boats"));
   scene.environment.apply_fields();
   scene.environment.set_elapsed(scene.sea_time);
   return scene;

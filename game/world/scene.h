@@ -7,6 +7,7 @@
 
 #include "engine/clouds/gardner.h"
 #include "engine/clouds/cloud_parameters.h"
+#include "engine/boat/parameters.h"
 #include "engine/core/fields.h"
 #include "engine/environment/environment.h"
 #include "engine/ocean/sea_state.h"
@@ -19,6 +20,9 @@ struct BoatStart {
   double heading_deg = 90.0;  ///< degrees true
   double speed = 3.0;         ///< m/s through the water
   glm::dvec2 position{0.0};   ///< x east, z south, m
+  std::string file = "r8";    ///< a name in assets/boats/, or a TOML file
+  std::string model;          ///< a glTF file; empty: R8's own
+  R8Parameters parameters;    ///< what the file says
 };
 
 enum class CameraMode : int { kChase, kHelm, kMast, kFree, kOrbit };

@@ -76,26 +76,42 @@ TEST(BoatDeckWater, AHeeledCockpitHoldsLess) {
   EXPECT_EQ(cockpit_holds(plan, radians(100.0)), 0.0);
 }
 
+/// A lump of water that rises by 3.5 m about her and is gone after a second.
+class Lump final : public WaterSurface {
+ public:
+  void sample(std::span<const glm::dvec2>, double time, std::span<WaterSample> out) const override {
+    const double rise = time < 1.0 ? std::sin(kPi * time) : 0.0;
+    for (WaterSample& s : out) {
+      s = WaterSample{};
+      s.height = 3.5 * rise * rise;
+    }
+  }
+};
+
 TEST(BoatDeckWater, ASeaThatFillsHerLeavesHerAgain) {
-  const CalmWater water;
+  const Lump water;
   const SteadyWind no_wind(0.0, 0.0);
   Boat boat;
   boat.controls().sails_up = false;
   boat.start({0.0, 0.0}, 0.0, 0.0, water, 0.0);
   const double dry = boat.state().position.y;
-  double most = 0.0, lowest = 0.0;
+  double most = 0.0, sunk = 0.0, shipped = 0.0;
+  int counted = 0;
   for (int i = 0; i < 300 * 60; ++i) {
-    // Pressed under for two seconds, as by a breaking crest.
-    boat.set_external_force({0.0, i < 2 * 60 ? -1.2e5 : 0.0, 0.0}, boat.centre_of_mass());
     boat.step(water, no_wind, i / 60.0, 1.0 / 60.0);
     most = std::max(most, boat.state().cockpit_water);
-    if (i == 15 * 60) lowest = boat.state().position.y;
+    if (i >= 8 * 60 && i < 14 * 60) {
+      sunk += dry - boat.state().position.y;
+      shipped += boat.state().cockpit_water;
+      ++counted;
+    }
   }
   EXPECT_GT(most, 0.05);
-  EXPECT_LT(lowest, dry - 0.005);  // it weighs on her
+  // It weighs on her: an even keel would sink by volume over waterplane; it lies aft, so the origin
+  // sinks a little less or more.
+  EXPECT_NEAR(sunk / counted, shipped / counted / 9.34, 0.3 * shipped / counted / 9.34);
   EXPECT_NEAR(boat.state().position.y, dry, 2e-3);
   EXPECT_LT(boat.state().cockpit_water, 1e-3);
-  EXPECT_EQ(boat.limit_hits(), 0);
 }
 
 TEST(BoatSlam, AFallingWedgeSlowsAsVonKarmanSays) {

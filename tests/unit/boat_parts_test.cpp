@@ -221,7 +221,7 @@ TEST(BoatParameters, ImpossibleNumbersAreNamed) {
     check(p);
     FAIL() << "a negative mass went through";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("boat.mass = -3"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("mass = -3"), std::string::npos) << error.what();
   }
   p = R8Parameters{};
   p.rig.mast_top = 2.0;
