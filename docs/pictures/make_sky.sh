@@ -23,7 +23,7 @@ shot() {
 if [[ $wanted == *day* ]]; then
   # Off A Coruña at midsummer, toward the west where the sun sets.
   i=0
-  for time in 04:30 05:30 08:00 13:00 18:00 20:30 21:15 23:30; do
+  for time in 04:40 07:00 12:30 17:30 19:45 20:15 20:40 23:30; do
     shot "day$i" 240x135 2026-06-21 "$time" 290 12 60
     i=$((i + 1))
   done
