@@ -215,9 +215,8 @@ void apply_palette(SkyLight& light, const PaletteFrame& now, PaletteMode mode, d
   const double before = eye_exposure(adapting_luminance(light));
   light.painted = {mode, strength, now.zenith, now.middle, now.horizon};
   if (mode == PaletteMode::kGrade) {
-    light.sun_source = graded(light.sun_source, now.sun, strength);
+    // Not the sources: the sky that they make is graded itself.
     light.sun_illuminance = graded(light.sun_illuminance, now.sun, strength);
-    light.moon_source = graded(light.moon_source, now.moon, strength);
     light.moon_illuminance = graded(light.moon_illuminance, now.moon, strength);
     const glm::dvec3 mean = level_mean(now.zenith, now.middle, now.horizon);
     light.sky_illuminance = graded(light.sky_illuminance, mean, strength);

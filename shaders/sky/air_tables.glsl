@@ -31,5 +31,6 @@ vec3 table_multiscatter(float height, float cosine) {
   vec2 unit = multiscatter_units(height, cosine);
   vec2 at = vec2(table_from_unit(unit.x, kMultiscatterTexels),
                  table_from_unit(unit.y, kMultiscatterTexels));
-  return textureLod(multiscatter_table, at, 0.0).rgb;
+  // Logarithms: below the horizon it falls by decades from texel to texel.
+  return exp(textureLod(multiscatter_table, at, 0.0).rgb);
 }

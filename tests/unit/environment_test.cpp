@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "engine/core/error.h"
 #include "engine/environment/calendar.h"
 
@@ -119,6 +121,31 @@ TEST(Environment, TheClockStopsAtTheEndsOfTheCalendar) {
   EXPECT_EQ(e.date(), "2200-12-31");
   e.set_utc_seconds(-1e12);
   EXPECT_EQ(e.date(), "1600-01-01");
+}
+
+TEST(Environment, PacesOfTheClockGoFromADayBackInAMinuteToADayForth) {
+  Environment e;
+  std::vector<double> up, down;
+  e.clock_rate = -1440.0;
+  for (int i = 0; i < 6; ++i, e.quicken()) up.push_back(e.clock_rate);
+  EXPECT_EQ(up, (std::vector<double>{-1440, -60, -1, 1, 60, 1440}));
+  EXPECT_EQ(e.clock_rate, 1440.0);  // no faster
+  for (int i = 0; i < 6; ++i, e.slow_down()) down.push_back(e.clock_rate);
+  EXPECT_EQ(down, (std::vector<double>{1440, 60, 1, -1, -60, -1440}));
+  e.clock_rate = 0.0;  // from any other pace to the next
+  e.quicken();
+  EXPECT_EQ(e.clock_rate, 1.0);
+  e.clock_rate = 100.0;
+  e.slow_down();
+  EXPECT_EQ(e.clock_rate, 60.0);
+  // A day in a minute, there and back: the same second again.
+  const double start = e.utc_seconds();
+  e.clock_rate = 1440.0;
+  for (int i = 0; i < 3600; ++i) e.advance(1.0 / 60.0);
+  EXPECT_NEAR(e.utc_seconds() - start, 86400.0, 1e-3);
+  e.clock_rate = -1440.0;
+  for (int i = 0; i < 3600; ++i) e.advance(1.0 / 60.0);
+  EXPECT_NEAR(e.utc_seconds(), start, 1e-3);
 }
 
 TEST(Environment, CelestialFollowsClockAndPlace) {
