@@ -8,12 +8,12 @@
 #include "engine/ocean/crossfade.h"
 #include "engine/ocean/fft_moments.h"
 #include "engine/ocean/foam_pattern.h"
+#include "shaders/shared/bindings.h"
 #include "shaders/shared/ocean.h"
 
 namespace offing {
 namespace {
 
-constexpr GLuint kBlockBinding = 2;
 constexpr double kAtOnce = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMaxSquares = 8192;
 constexpr double kFoamLength = 7.3;  // m across the wind; no multiple of a cascade's length
@@ -262,7 +262,7 @@ void Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea
         context.texture(sea.displacement).bind(0);
         context.texture(dry).bind(3);
         map_sampler_.bind(0);
-        block_.bind_uniform(kBlockBinding);
+        block_.bind_uniform(OFFING_BIND_OCEAN);
         mesh_program_.use();
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_GREATER);
@@ -292,7 +292,7 @@ void Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea
         map_sampler_.bind(0);
         map_sampler_.bind(1);
         foam_sampler_.bind(2);
-        block_.bind_uniform(kBlockBinding);
+        block_.bind_uniform(OFFING_BIND_OCEAN);
         bind_sky(context);
         surface_.use();
         glDisable(GL_DEPTH_TEST);

@@ -25,11 +25,11 @@ Image top_down_rgb(const std::vector<float>& values, int width, int height, int 
 
 }  // namespace
 
-Renderer::Renderer(const Quality& quality)
+Renderer::Renderer(const Quality& quality, const std::filesystem::path& boat_model)
     : quality_(quality),
       shaders_(data_root() / "shaders"),
       graph_(device_),
-      techniques_(shaders_, quality) {}
+      techniques_(shaders_, quality, boat_model) {}
 
 void Renderer::prime(double time) {
   techniques_.ocean.prime(graph_, time);

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <functional>
 
 #include "engine/graph/frame_graph.h"
@@ -15,7 +16,7 @@ namespace offing {
 /// The picture in one place: device, shaders, graph and techniques, on the current GL context.
 class Renderer {
  public:
-  explicit Renderer(const Quality& quality);
+  explicit Renderer(const Quality& quality, const std::filesystem::path& boat_model = {});
 
   /// Where the boat floats.
   const WaterSurface& water() const { return techniques_.ocean.water(); }
