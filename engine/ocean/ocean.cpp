@@ -163,7 +163,10 @@ void Ocean::show(Sea sea) {
 
 void Ocean::prime(FrameGraph& graph, double time) {
   constexpr int kMostFrames = 16;
-  for (int frame = 0; frame < kMostFrames && water_.age(time) > 0.0; ++frame) {
+  const auto known = [&] {
+    return water_.age(time) == 0.0 && water_.age(time + GpuMoments::kAhead) == 0.0;
+  };
+  for (int frame = 0; frame < kMostFrames && !known(); ++frame) {
     graph.begin_frame();
     add_maps(graph, time);
     graph.execute();

@@ -56,6 +56,7 @@ Meeting meet_surface(glm::dvec2 place, double tolerance, int limit, const Surfac
     if (distance < tolerance) break;
     q -= step;
   }
+  if (best_miss >= tolerance) best.rest = glm::dvec2(0.0);  // a fold: no tangent leads there
   return best;
 }
 

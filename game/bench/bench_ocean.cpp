@@ -50,13 +50,18 @@ MapsRun run_maps(ShaderLibrary& shaders, int size, int cascades, bool half, int 
   MapsRun run{.size = size, .cascades = cascades, .half = half, .taken = {}};
   const SeaSpectrum spectrum(SeaState{}, 10.0, {0.6, 0.8});
   std::vector<Cascade> sea;
-  double variance = 0.0, slope = 0.0;
+  double slope = 0.0;
   for (const CascadeBand& band : choose_bands(spectrum, cascades, size)) {
     sea.push_back(make_cascade(spectrum, band, size, 1, static_cast<int>(sea.size())));
-    variance += sea.back().variance;
     slope += sea.back().resolved[0].total();
   }
-  run.missing_height = std::sqrt(std::max(spectrum.statistics().m0 - variance, 0.0));
+  // The spectrum's integral beyond the last band, by the midpoint rule.
+  double missing = 0.0;
+  for (double k = sea.back().band.k_max; k < 2000.0; k *= 1.01) {
+    const double w = spectrum.frequency(k), next = spectrum.frequency(1.01 * k);
+    missing += spectrum.frequency_density(0.5 * (w + next)) * (next - w);
+  }
+  run.missing_height = std::sqrt(missing);
   run.missing_slope = 1.0 - slope / spectrum.statistics().mean_square_slope;
 
   GlDevice device;

@@ -17,7 +17,9 @@ void export_heights(const Scene& scene, const Options& options) {
     const OceanSettings settings = sea_settings(options);
     direct_water(scene, settings.cascades, settings.size).sample(points, time, samples);
   } else if (options.method.empty() || options.method == "readback") {
-    SeaRun(scene, options).water().sample(points, time, samples);
+    Scene by_gpu = scene;
+    by_gpu.sea.queries = kReadbackQueries;
+    SeaRun(by_gpu, options).water().sample(points, time, samples);
   } else {
     throw InputError(fmt::format("--method {}: heights has readback and direct", options.method));
   }
