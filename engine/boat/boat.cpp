@@ -103,6 +103,8 @@ void Boat::start(glm::dvec2 position, double heading, double speed, const WaterS
   autotrim_.reset();
   helmsman_.release();
   probe_.reset();
+  memory_.reset();
+  deck_water_.reset();
   rig_reading_ = RigReading{};
   forces_ = BoatForces{};
   navigation_ = Navigation{};
@@ -125,7 +127,8 @@ void Boat::start(glm::dvec2 position, double heading, double speed, const WaterS
     motion_.velocity = probe_.mean_velocity();
     Loads loads;
     add_gravity(loads);
-    add_underwater(loads);
+    add_underwater(loads, 1.0);
+    memory_.reset();
     const glm::dvec3 force = motion_.orientation * loads.force();
     // Far from the surface the linear step would jump over it.
     const double rise = i == 0 ? probe_.at(hull_.shape(), 0.0).height - origin.y
@@ -196,6 +199,7 @@ void Boat::displace(glm::dvec3 shift, double heel, double pitch) {
                                        glm::angleAxis(-heel, kAft));
   motion_.position = foot + motion_.orientation * centre_;
   motion_.velocity = motion_.angular_velocity = glm::dvec3(0.0);
+  motion_.acceleration = motion_.angular_acceleration = glm::dvec3(0.0);
   state_.position = foot;
   state_.orientation = motion_.orientation;
   navigate();
@@ -215,8 +219,12 @@ double Boat::jib_limit(double sheet) const {
 }
 
 void Boat::actuate(double dt) {
-  const double helm = helmsman_.task() == Helmsman::Task::kNone ? clean(controls_.rudder, -1.0, 1.0)
-                                                                : helmsman_.step(helm_view(), dt);
+  // Player and helmsman say where the bow is to go: astern the rudder works the other way.
+  const bool astern = navigation_.stw < -0.1;
+  const bool by_hand = helmsman_.task() == Helmsman::Task::kNone;
+  const double wish =
+      by_hand ? clean(controls_.rudder, -1.0, 1.0) : helmsman_.step(helm_view(), dt);
+  const double helm = astern ? -wish : wish;
   state_.rudder_angle = approach(state_.rudder_angle, helm * p_.rudder_most, p_.rudder_rate * dt);
 
   const double reef_most = kReefSizes[std::clamp(controls_.reef, 0, 3)];
@@ -227,7 +235,7 @@ void Boat::actuate(double dt) {
   if (controls_.auto_trim && flow_speed_ > 0.0) {
     order = autotrim_.step(
         p_.rig,
-        {flow_angle_, flow_speed_, navigation_.leeway, navigation_.heel, navigation_.stw, helm},
+        {flow_angle_, flow_speed_, navigation_.leeway, navigation_.heel, navigation_.stw, wish},
         reef_most, dt);
   }
   // Sheets are pulled slower than they run out; a reef takes its time.
@@ -267,10 +275,11 @@ void Boat::add_gravity(Loads& loads) const {
   loads.add_torque(glm::cross(glm::dvec3(state_.crew_offset, 0.0, 0.0), p_.crew_mass * down));
 }
 
-void Boat::add_underwater(Loads& loads) {
+void Boat::add_underwater(Loads& loads, double dt) {
   const glm::dquat body_from_world = glm::conjugate(motion_.orientation);
-  const HullReading reading = hull_.add_loads(loads, body_, motion_, centre_, probe_);
+  const HullReading reading = hull_.add_loads(loads, body_, motion_, centre_, probe_, memory_, dt);
   forces_.volume = reading.volume;
+  forces_.slam = reading.slam;
   forces_.buoyancy = body_from_world * reading.buoyancy;
 
   const glm::dvec3 origin = motion_.position - motion_.orientation * centre_;
@@ -295,9 +304,11 @@ void Boat::add_underwater(Loads& loads) {
   forces_.keel = {keel.x, 0.0, keel.y};
   loads.add(forces_.keel, p_.keel_place - centre_);
 
-  const glm::dvec3 rudder_flow =
+  const glm::dvec3 undisturbed =
       flow(p_.rudder_place, probe_.left_at(-p_.rudder_place.y) *
                                 probe_.at(hull_.shape(), p_.rudder_place.z).velocity);
+  const double downwash = keel_wet * keel_.downwash(std::atan2(keel_flow.x, keel_flow.z));
+  const glm::dvec3 rudder_flow = glm::angleAxis(-downwash, glm::dvec3(0.0, 1.0, 0.0)) * undisturbed;
   free_rudder_ = std::atan2(rudder_flow.x, rudder_flow.z);
   const double rudder_wet = wet_part(depth(p_.rudder_place), p_.rudder_span);
   const glm::dvec2 rudder =
@@ -311,7 +322,7 @@ void Boat::add_underwater(Loads& loads) {
   const double speed = std::abs(astern);
   const double sunk = std::clamp(reading.volume / p_.lines.canoe_volume, 0.0, 2.0);
   const double resistance =
-      sunk * (upright_resistance(speed) + heeled_resistance(speed, navigation_.heel)) *
+      sunk * (upright_resistance(speed) + heeled_resistance(speed, heel_of(motion_.orientation))) *
       (astern > 0.0 ? 1.3 : 1.0);
   forces_.resistance = resistance;
   loads.add_damping(kAft, place - centre_, resistance / std::max(speed, 1e-3), astern);
@@ -399,18 +410,23 @@ void Boat::step(const WaterSurface& water, const WindField& wind, double time, d
   if (!(dt > 0.0)) return;
   const RigidBodyState last = motion_;
   actuate(dt);
+  motion_ = RigidBody::middle(last, dt);
   const glm::dvec3 origin = motion_.position - motion_.orientation * centre_;
-  probe_.sample(hull_.shape(), origin, motion_.orientation, water, time, dt);
+  probe_.sample(hull_.shape(), origin, motion_.orientation, water, time + 0.5 * dt, dt);
 
   Loads loads;
   add_gravity(loads);
-  add_underwater(loads);
+  add_underwater(loads, dt);
+  deck_water_.step(p_.deck, hull_.shape(), probe_, origin, motion_.orientation, dt);
+  deck_water_.add_weight(loads, p_.deck, motion_.orientation, centre_);
   add_air(loads, wind, dt);
   if (external_force_ != glm::dvec3(0.0)) loads.add(external_force_, external_place_ - centre_);
+  motion_ = last;
   limits_ += body_.step(motion_, loads, dt);
   if (!finite(motion_)) {
     motion_ = last;
     motion_.velocity = motion_.angular_velocity = glm::dvec3(0.0);
+    motion_.acceleration = motion_.angular_acceleration = glm::dvec3(0.0);
     ++limits_;
   }
 
@@ -418,6 +434,8 @@ void Boat::step(const WaterSurface& water, const WindField& wind, double time, d
   state_.orientation = motion_.orientation;
   state_.velocity = motion_.velocity;
   state_.angular_velocity = motion_.angular_velocity;
+  state_.deck_water = deck_water_.on_deck();
+  state_.cockpit_water = deck_water_.in_cockpit();
   navigate();
 }
 

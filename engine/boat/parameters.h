@@ -1,6 +1,7 @@
 #pragma once
 #include <glm/vec3.hpp>
 
+#include "engine/boat/deck_water.h"
 #include "engine/boat/hull.h"
 #include "engine/boat/hull_shape.h"
 #include "engine/boat/rig.h"
@@ -17,6 +18,7 @@ struct R8Parameters {
   glm::dvec3 added_inertia{0.9, 0.7, 0.15};  ///< of the inertia: pitch, yaw, roll
   HullLines lines;
   HullDamping damping;
+  DeckPlan deck;
 
   double keel_span = 1.16, keel_chord = 0.73, keel_area = 0.85;
   double keel_volume = 0.062;               ///< m^3

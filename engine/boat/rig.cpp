@@ -106,7 +106,10 @@ SailReading sail_coefficients(bool jib, double angle, double sheeted, double sto
   lift *= flat;
   double drag = (jib ? jib_drag() : main_drag())(apparent);
 
-  const double plate = smooth_step(35.0, 75.0, a) * (1.0 - on_stop);
+  // Held to windward of the boat's middle it is aback: no table was measured there, and cloth
+  // pressed against its own belly is a plate from the first.
+  const double aback = smooth_step(0.0, 8.0, a - apparent);
+  const double plate = std::max(smooth_step(35.0, 75.0, a) * (1.0 - on_stop), aback);
   const double sine = std::sin(std::abs(attack)), cosine = std::cos(attack);
   lift += (kPlate * sine * cosine - lift) * plate;
   drag += (kPlate * sine * sine + 0.04 - drag) * plate;

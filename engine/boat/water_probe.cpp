@@ -19,7 +19,7 @@ bool finite(const glm::dvec3& v) {
 
 void WaterProbe::reset() {
   started_ = false;
-  vertical_acceleration_ = slope_energy_ = velocity_energy_ = 0.0;
+  vertical_acceleration_ = pitch_acceleration_ = slope_energy_ = velocity_energy_ = 0.0;
   mean_velocity_ = mean_acceleration_ = glm::dvec3(0.0);
   good_.fill(WaterSample{});
 }
@@ -69,7 +69,7 @@ void WaterProbe::sample(const HullShape& shape, const glm::dvec3& origin,
 
   glm::dvec3 velocity(0.0);
   glm::dvec2 slope_sum(0.0);
-  double height = 0.0, roll = 0.0;
+  double height = 0.0, roll = 0.0, lift = 0.0, arms = 0.0;
   for (int i = 0; i < count; ++i) {
     const WaterSample starboard = checked(samples_[2 * i], 2 * i);
     const WaterSample port = checked(samples_[2 * i + 1], 2 * i + 1);
@@ -86,6 +86,9 @@ void WaterProbe::sample(const HullShape& shape, const glm::dvec3& origin,
     velocity += slice.velocity;
     slope_sum += slice.slope;
     height += slice.height;
+    const double z = shape.sections[i].z;
+    lift += z * slice.velocity.y;
+    arms += z * z;
     roll += (starboard.velocity.y - port.velocity.y) / (2.0 * reach);
   }
   velocity /= count;
@@ -93,12 +96,18 @@ void WaterProbe::sample(const HullShape& shape, const glm::dvec3& origin,
   mean_height_ = height / count;
   roll_rate_ = roll / count;
 
+  const double pitch_rate = arms > 0.0 ? lift / arms : 0.0;
   if (started_) {
-    constexpr double kSmoothing = 0.1;
-    const double raw =
+    constexpr double kSmoothing = 0.1, kMostPitch = 4.0;
+    // The difference is half a step late already: the smoothing makes it the same lag in all steps.
+    const double share = dt / (dt + std::max(kSmoothing - 0.5 * dt, 0.0));
+    const double up =
         std::clamp((velocity.y - mean_velocity_.y) / dt, -0.6 * kGravity, 0.6 * kGravity);
-    vertical_acceleration_ += (raw - vertical_acceleration_) * (dt / (dt + kSmoothing));
+    const double pitch = std::clamp((pitch_rate - pitch_rate_) / dt, -kMostPitch, kMostPitch);
+    vertical_acceleration_ += (up - vertical_acceleration_) * share;
+    pitch_acceleration_ += (pitch - pitch_acceleration_) * share;
   }
+  pitch_rate_ = pitch_rate;
   started_ = true;
   mean_velocity_ = velocity;
   constexpr double kMemory = 10.0;

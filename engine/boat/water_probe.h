@@ -49,6 +49,9 @@ class WaterProbe {
   /// How much of the surface's orbital motion is left at a depth (m): exp(-k depth) with the wave
   /// number g <slope^2> / <velocity^2> of the last seconds, which is exact for one deep-water wave.
   double left_at(double depth) const;
+  /// How the upward acceleration grows toward the stern, 1/s^2 (d a_y / dz along the hull), got and
+  /// smoothed as the mean's is.
+  double pitch_acceleration() const { return pitch_acceleration_; }
   /// How fast the surface turns about the boat's long axis, rad/s, positive lifts starboard.
   double roll_rate() const { return roll_rate_; }
   /// Samples replaced or cut since the start.
@@ -63,6 +66,7 @@ class WaterProbe {
   glm::dvec3 mean_velocity_{0.0}, mean_acceleration_{0.0};
   glm::dvec2 mean_slope_{0.0};
   double mean_height_ = 0.0, roll_rate_ = 0.0, vertical_acceleration_ = 0.0;
+  double pitch_rate_ = 0.0, pitch_acceleration_ = 0.0;
   double slope_energy_ = 0.0, velocity_energy_ = 0.0;
   bool started_ = false;
   long limits_ = 0;

@@ -16,6 +16,7 @@ enum class Key {
   kD,
   kF,
   kH,
+  kI,
   kO,
   kP,
   kR,

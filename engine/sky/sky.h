@@ -19,11 +19,18 @@ struct SkyIds {
   void read_by(PassBuilder& pass) const;
 };
 
+/// The sky view's table, of which half the azimuths stand for all, and the steps of its rays.
+struct SkySettings {
+  int width = 128, height = 96, steps = 30;
+  /// 0 low to 3 ultra.
+  static SkySettings of_quality(int quality);
+};
+
 /// The atmosphere in tables (Hillaire 2020) and what is drawn behind everything else.
 class Sky {
  public:
-  /// `quality` 0 (low) to 3 (ultra): the size of the sky view and its steps.
-  Sky(ShaderLibrary& shaders, int quality);
+  Sky(ShaderLibrary& shaders, const SkySettings& settings);
+  Sky(ShaderLibrary& shaders, int quality) : Sky(shaders, SkySettings::of_quality(quality)) {}
 
   /// Brings the tables up to date: those of the air where haze has changed, the sky views where a
   /// light's elevation has (by 0.002 degrees) or the camera's height.
@@ -50,8 +57,9 @@ class Sky {
   const ShaderProgram& sun_program_;
   const ShaderProgram& moon_program_;
   const ShaderProgram& stars_program_;
-  gl::Texture transmittance_, multiscatter_, sun_view_, moon_view_;
-  gl::Sampler linear_;
+  const ShaderProgram& milky_way_program_;
+  gl::Texture transmittance_, multiscatter_, sun_view_, moon_view_, milky_way_;
+  gl::Sampler linear_, around_;
   gl::Buffer block_;
   gl::Buffer star_vertices_;
   gl::VertexArray star_array_, no_vertices_;

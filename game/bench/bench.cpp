@@ -12,7 +12,9 @@ namespace offing {
 void run_bench(const Options& options) {
   static const std::map<std::string, void (*)(const Options&)> benches = {
       {"frame", bench_frame},
+      {"ocean", bench_ocean},
       {"probe", bench_probe},
+      {"sky", bench_sky},
   };
   const auto found = benches.find(options.what);
   if (found == benches.end()) {

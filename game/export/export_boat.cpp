@@ -63,8 +63,8 @@ void export_boat(const Scene& start, const Options& options) {
     }
     text += fmt::format(",{:.2f}\n", f.resistance);
     if (step == steps) break;
-    scene.environment.advance(options.dt);
     boat.step(water, wind, scene.environment.elapsed(), options.dt);
+    scene.environment.advance(options.dt);
   }
   write_text(options.out, text);
 }

@@ -1,5 +1,7 @@
 #include "game/frame/frame.h"
 
+#include <algorithm>
+
 #include "engine/core/paths.h"
 #include "engine/io/model.h"
 #include "shaders/shared/bindings.h"
@@ -35,15 +37,22 @@ OceanView ocean_view(const FrameView& view) {
 }
 
 LightAccess light_access(const Sky& sky, const SkyIds& sky_ids, const Probe& probe,
-                         const ProbeIds& probe_ids) {
+                         const ProbeIds& probe_ids, const CloudShadow& shadow,
+                         const CloudShadowIds& shadow_ids) {
   return {[=](PassBuilder& pass) {
             sky_ids.read_by(pass);
             probe_ids.read_by(pass);
+            shadow_ids.read_by(pass);
           },
-          [&sky, &probe, sky_ids, probe_ids](const PassContext& context) {
+          [&sky, &probe, &shadow, sky_ids, probe_ids, shadow_ids](const PassContext& context) {
             sky.bind(context, sky_ids);
             probe.bind(context, probe_ids);
+            shadow.bind(context, shadow_ids);
           }};
+}
+
+CloudCamera cloud_camera(const FrameView& view) {
+  return {view.size, view.frame.clip_from_relative, view.camera, view.light.exposure};
 }
 
 }  // namespace
@@ -51,9 +60,13 @@ LightAccess light_access(const Sky& sky, const SkyIds& sky_ids, const Probe& pro
 Techniques::Techniques(ShaderLibrary& shaders, const Quality& quality)
     : sky(shaders, quality.level),
       probe(shaders, ProbeSettings::of_quality(quality.level)),
+      clouds(shaders, quality.level),
       ocean(shaders, OceanSettings::of_quality(quality.level)),
+      gardner(shaders),
       boat(shaders, load_model(data_root() / "assets/models/r8/r8.glb", kBoatNodeNames),
            load_boat_textures(data_root() / "assets/textures")),
+      exposure(shaders),
+      bloom(shaders),
       tonemap(shaders),
       frame_block("frame", sizeof(shared::FrameData)) {}
 
@@ -70,14 +83,32 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
 
   add_begin(graph, view, t.frame_block, hdr, depth);
   const SkyIds sky = t.sky.add_tables(graph, view.light);
+  const CloudscapeIds clouds = t.clouds.add_field(graph, view.clouds, view.light);
   const ProbeIds probe = t.probe.add(graph, view.light, view.frame.wind.w, t.sky, sky);
-  const LightAccess light = light_access(t.sky, sky, t.probe, probe);
+  const LightAccess light =
+      light_access(t.sky, sky, t.probe, probe, t.clouds.shadow(), clouds.shadow);
   const SeaIds sea = t.ocean.add_maps(graph, view.sea_time);
   const TextureId hull = t.boat.add_mask(graph, view.boat, view.frame);
   t.boat.add(graph, view.boat, view.frame, light, hdr, depth);
   t.ocean.add_draw(graph, ocean_view(view), sea, light, hull, hdr, depth, view.sea_visible);
   t.sky.add_background(graph, view.light, sky, hdr, depth, view.sky_visible);
-  t.tonemap.add(graph, hdr, display, {.exposure = view.light.exposure, .count_nonfinite = true});
+  t.gardner.add(graph, view.gardner, view.light, t.sky, sky, hdr, depth);
+  t.clouds.add_picture(graph, clouds, view.clouds, cloud_camera(view), t.sky, sky, hdr, depth,
+                       view.sky_visible && !view.gardner.ellipsoids);
+
+  const BufferId exposure = t.exposure.add(graph, hdr,
+                                           {.exposure = view.light.exposure,
+                                            .luminance = adapting_luminance(view.light),
+                                            .dt = view.frame.time.y},
+                                           view.exposure);
+  const double glare = std::min(view.exposure.bloom * glare_share(view.light.exposure), 0.8);
+  const TextureId glow = glare > 0.0 ? t.bloom.add(graph, hdr) : TextureId{};
+  t.tonemap.add(graph, hdr, display,
+                {.curve = static_cast<ToneCurve>(view.exposure.curve),
+                 .exposure = view.light.exposure,
+                 .count_nonfinite = true,
+                 .glow_share = glare},
+                exposure, glow);
   return display;
 }
 

@@ -1,8 +1,12 @@
 #pragma once
+#include "engine/clouds/gardner.h"
+#include "engine/clouds/clouds.h"
 #include "engine/gl/buffer.h"
 #include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
 #include "engine/ocean/ocean.h"
+#include "engine/post/bloom.h"
+#include "engine/post/exposure.h"
 #include "engine/post/tonemap.h"
 #include "engine/shader/shader_library.h"
 #include "engine/sky/probe.h"
@@ -19,8 +23,12 @@ struct Techniques {
 
   Sky sky;
   Probe probe;
+  Cloudscape clouds;
   Ocean ocean;
+  GardnerClouds gardner;
   BoatPass boat;
+  Exposure exposure;
+  Bloom bloom;
   Tonemap tonemap;
   gl::Buffer frame_block;  ///< shared::FrameData
 };

@@ -28,8 +28,8 @@ void World::update(const Helm& helm, double dt) {
     while (owed_ > kStep * (1.0 - 1e-9)) {
       before_ = boat_.state();
       time_before_ = scene_.environment.elapsed();
+      boat_.step(water_, wind_, time_before_, kStep);
       scene_.environment.advance(kStep);
-      boat_.step(water_, wind_, scene_.environment.elapsed(), kStep);
       owed_ -= kStep;
     }
     draw_between(std::max(owed_, 0.0) / kStep);

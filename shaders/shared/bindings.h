@@ -20,3 +20,8 @@
 #define OFFING_UNIT_CLOUD_SHADOW 14   // what clouds leave of the sun
 #define OFFING_UNIT_CLOUD_MAP 15      // clouds seen from the boat, for the probe
 #define OFFING_UNIT_FOAM 16           // accumulated foam of the sea
+#define OFFING_UNIT_CLOUD_SHAPE 17    // body of the clouds: noise, repeating (3-D)
+#define OFFING_UNIT_CLOUD_DETAIL 18   // their edges, likewise
+#define OFFING_UNIT_CLOUD_CURL 19     // what the wind does to their edges
+#define OFFING_UNIT_CLOUD_WEATHER 20  // where there are clouds, and which
+#define OFFING_UNIT_CLOUD_MOST 21     // the most of it round each of its coarse cells
