@@ -80,6 +80,7 @@ void add_for_verb(CLI::App& app, Options& options) {
   }
   if (verb == "export") {
     app.add_option("--time", options.time, "the sea's clock, s")->check(CLI::Range(-1e12, 1e12));
+    app.add_flag("--no-discs", options.no_discs, "sky: without sun, moon and stars");
     app.add_option("--points", options.points, "heights: CSV with x,z per line, m");
     app.add_option("--method", options.method, "heights: readback (default) or direct");
     app.add_option("--tws", options.tws, "polar: true wind speeds, kn");

@@ -31,6 +31,7 @@ struct Options {
 
   // export
   std::optional<double> time;
+  bool no_discs = false;
   std::filesystem::path points;
   std::string method;  ///< empty: the default of what is exported
   std::string tws = "6,12,20", twa = "45,60,90,120,150";

@@ -1,5 +1,7 @@
 #include "engine/post/tonemap.h"
 
+#include <vector>
+
 namespace offing {
 namespace {
 /// Below this exposure the brightest thing that rods help to see (3 cd/m^2) is under half a step of
@@ -8,7 +10,14 @@ constexpr double kFirstNight = 5e-5;
 }  // namespace
 
 Tonemap::Tonemap(ShaderLibrary& shaders)
-    : no_vertices_("tone map"), count_("nonfinite pixels", sizeof(std::uint32_t)) {
+    : no_vertices_("tone map"),
+      count_("nonfinite pixels", sizeof(std::uint32_t)),
+      unexposed_("no exposure", 68 * sizeof(float)),
+      linear_("tone map", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE) {
+  // As in shaders/post/exposure.glsl: 64 bins, then stops and factor.
+  std::vector<float> state(68, 0.0f);
+  state[65] = 1.0f;
+  unexposed_.write(state.data(), state.size() * sizeof(float));
   for (int curve = 0; curve < 2; ++curve) {
     for (int counts = 0; counts < 2; ++counts) {
       ShaderDefines defines;
@@ -26,16 +35,19 @@ const ShaderProgram& Tonemap::program(const TonemapSettings& settings) const {
                    [settings.count_nonfinite ? 1 : 0];
 }
 
-void Tonemap::add(FrameGraph& graph, TextureId hdr, TextureId out,
-                  const TonemapSettings& settings) {
+void Tonemap::add(FrameGraph& graph, TextureId hdr, TextureId out, const TonemapSettings& settings,
+                  BufferId exposure, TextureId glow) {
   const BufferId count = graph.import(count_);
+  const bool glows = glow.valid() && settings.glow_share > 0.0;
   graph.add(
       "post.tonemap",
       [&](PassBuilder& pass) {
         pass.read(hdr).write(out, Access::kAttachment).render_to({out});
         if (settings.count_nonfinite) pass.modify(count);
+        if (exposure.valid()) pass.read(exposure);
+        if (glows) pass.read(glow);
       },
-      [this, hdr, settings](PassContext& context) {
+      [this, hdr, settings, exposure, glow, glows](PassContext& context) {
         const ShaderProgram& tonemap = program(settings);
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_BLEND);
@@ -43,11 +55,17 @@ void Tonemap::add(FrameGraph& graph, TextureId hdr, TextureId out,
         glBindSampler(0, 0);
         context.texture(hdr).bind(0);
         if (settings.count_nonfinite) count_.bind_storage(0);
+        (exposure.valid() ? context.buffer(exposure) : unexposed_).bind_storage(1);
+        if (glows) context.texture(glow).bind(1);
+        linear_.bind(1);
         tonemap.use();
         tonemap.program().set(0, static_cast<float>(settings.exposure));
         tonemap.program().set(1, settings.exposure > kFirstNight ? 1 : 0);
+        tonemap.program().set(2, glows ? static_cast<float>(settings.glow_share) : 0.0f);
+        tonemap.program().set(3, glows ? 1 : 0);
         no_vertices_.bind();
         glDrawArrays(GL_TRIANGLES, 0, 3);
+        glBindSampler(1, 0);
       });
 }
 

@@ -16,6 +16,8 @@ struct TonemapSettings {
   /// dusk.
   double exposure = 1.0;
   bool count_nonfinite = false;
+  /// Of the light that is taken from the glow instead of the picture.
+  double glow_share = 0.0;
 };
 
 /// Turns the HDR picture (linear, radiance × exposure) into what a display shows (sRGB, dithered).
@@ -23,8 +25,10 @@ class Tonemap {
  public:
   explicit Tonemap(ShaderLibrary& shaders);
 
-  /// `out`: an RGBA8 picture of the same size. NaN and infinite pixels become black.
-  void add(FrameGraph& graph, TextureId hdr, TextureId out, const TonemapSettings& settings);
+  /// `out`: an RGBA8 picture of the same size. NaN and infinite pixels become black. `exposure`: of
+  /// Exposure::add(); without one the picture's own exposure is shown. `glow`: of Bloom::add().
+  void add(FrameGraph& graph, TextureId hdr, TextureId out, const TonemapSettings& settings,
+           BufferId exposure = {}, TextureId glow = {});
 
   /// Pixels that were NaN or infinite in frames that counted since the last call. Waits for the
   /// GPU.
@@ -35,6 +39,8 @@ class Tonemap {
   const ShaderProgram* programs_[2][2];  ///< [curve][counts]
   gl::VertexArray no_vertices_;
   gl::Buffer count_;
+  gl::Buffer unexposed_;  ///< stands for the state of Exposure: factor 1
+  gl::Sampler linear_;
 };
 
 }  // namespace offing

@@ -152,6 +152,9 @@ ProbeIds Probe::add(FrameGraph& graph, const SkyLight& light, double wind_speed,
               moon_counts ? hash_direction(light.moon_direction, kAngleStep) : std::uint64_t{0},
               steps_of(light.sun_uncovered, kLightStep), steps_of(light.moon_phase, kLightStep),
               steps_of(std::log(frame.state.height + 10.0), kHeightStep), light.haze,
+              static_cast<int>(light.painted.mode), light.painted.strength,
+              hash_direction(light.painted.zenith / (1e-9 + light.painted.zenith.y), kLightStep),
+              hash_direction(light.painted.horizon / (1e-9 + light.painted.zenith.y), kLightStep),
               steps_of(wind_speed, kWindStep), clouds ? clouds->version + 1 : std::uint64_t{0},
               capture_.generation() + glossy_.generation() + cells_.generation() +
                   rough_.generation() + irradiance_.generation());

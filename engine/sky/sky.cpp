@@ -22,12 +22,6 @@ namespace {
 
 constexpr int kTransmittanceWidth = 256, kTransmittanceHeight = 64, kMultiscatterSize = 32;
 
-struct Quality {
-  int width, height, steps;
-};
-// Half the azimuths stand for all: the width counts double.
-constexpr Quality kQuality[] = {{80, 56, 20}, {128, 96, 30}, {192, 108, 36}, {256, 144, 48}};
-
 /// Steps in which a light's elevation is told apart: twilight changes by 0.1 % in one.
 constexpr double kElevationStep = 0.002 * 3.14159265358979 / 180.0;
 /// A light lower than this (19 degrees under the horizon) reaches no air that could scatter it
@@ -53,10 +47,6 @@ GLuint groups(int size) { return static_cast<GLuint>((size + 7) / 8); }
 void dispatch_over(const gl::Texture& table) {
   table.bind_image(0, GL_WRITE_ONLY);
   glDispatchCompute(groups(table.width()), groups(table.height()), 1);
-}
-
-ShaderDefines steps(int quality) {
-  return {{"STEPS", std::to_string(kQuality[std::clamp(quality, 0, 3)].steps)}};
 }
 
 glm::vec4 pack(const glm::dvec3& v, double w) {
@@ -86,14 +76,21 @@ glm::dvec2 heading(const glm::dvec3& direction) {
 
 }  // namespace
 
+SkySettings SkySettings::of_quality(int quality) {
+  constexpr SkySettings kQualities[] = {
+      {80, 56, 20}, {128, 96, 30}, {192, 108, 36}, {256, 144, 48}};
+  return kQualities[std::clamp(quality, 0, 3)];
+}
+
 void SkyIds::read_by(PassBuilder& pass) const {
   pass.read(sun).read(moon).read(transmittance).read(block, Access::kUniform);
 }
 
-Sky::Sky(ShaderLibrary& shaders, int quality)
+Sky::Sky(ShaderLibrary& shaders, const SkySettings& settings)
     : transmittance_program_(shaders.program({"sky/transmittance.comp"})),
       multiscatter_program_(shaders.program({"sky/multiscatter.comp"})),
-      view_program_(shaders.program({"sky/view.comp"}, steps(quality))),
+      view_program_(
+          shaders.program({"sky/view.comp"}, {{"STEPS", std::to_string(settings.steps)}})),
       background_program_(shaders.program({"sky/dome.vert", "sky/background.frag"})),
       distant_sea_program_(shaders.program({"sky/dome.vert", "sky/distant_sea.frag"})),
       sun_program_(shaders.program({"sky/disc.vert", "sky/sun.frag"})),
@@ -105,11 +102,10 @@ Sky::Sky(ShaderLibrary& shaders, int quality)
       block_("sky block", sizeof(shared::SkyData)),
       star_array_("stars"),
       no_vertices_("sky without vertices") {
-  const Quality& q = kQuality[std::clamp(quality, 0, 3)];
   transmittance_ = cleared("sky transmittance", kTransmittanceWidth, kTransmittanceHeight);
   multiscatter_ = cleared("sky multiscatter", kMultiscatterSize, kMultiscatterSize);
-  sun_view_ = cleared("sky view of the sun", q.width, q.height);
-  moon_view_ = cleared("sky view of the moon", q.width, q.height);
+  sun_view_ = cleared("sky view of the sun", settings.width, settings.height);
+  moon_view_ = cleared("sky view of the moon", settings.width, settings.height);
   const std::vector<StarVertex> stars = star_vertices(load_stars(star_file()));
   star_count_ = static_cast<int>(stars.size());
   star_vertices_ = gl::Buffer::of<StarVertex>("stars", stars);

@@ -19,11 +19,18 @@ struct SkyIds {
   void read_by(PassBuilder& pass) const;
 };
 
+/// The sky view's table, of which half the azimuths stand for all, and the steps of its rays.
+struct SkySettings {
+  int width = 128, height = 96, steps = 30;
+  /// 0 low to 3 ultra.
+  static SkySettings of_quality(int quality);
+};
+
 /// The atmosphere in tables (Hillaire 2020) and what is drawn behind everything else.
 class Sky {
  public:
-  /// `quality` 0 (low) to 3 (ultra): the size of the sky view and its steps.
-  Sky(ShaderLibrary& shaders, int quality);
+  Sky(ShaderLibrary& shaders, const SkySettings& settings);
+  Sky(ShaderLibrary& shaders, int quality) : Sky(shaders, SkySettings::of_quality(quality)) {}
 
   /// Brings the tables up to date: those of the air where haze has changed, the sky views where a
   /// light's elevation has (by 0.002 degrees) or the camera's height.

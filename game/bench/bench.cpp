@@ -17,6 +17,7 @@ void run_bench(const Options& options) {
       {"probe", bench_probe},
       {"query", bench_query},
       {"stress", bench_stress},
+      {"sky", bench_sky},
   };
   const auto found = benches.find(options.what);
   if (found == benches.end()) {

@@ -8,6 +8,7 @@ namespace offing {
 void export_ephemeris(const Scene& scene, const Options& options);
 void export_heights(const Scene& scene, const Options& options);
 void export_ocean(const Scene& scene, const Options& options);
+void export_sky(const Scene& scene, const Options& options);
 void export_polar(const Scene& scene, const Options& options);
 void export_boat(const Scene& scene, const Options& options);
 

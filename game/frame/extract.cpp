@@ -113,6 +113,7 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
   view.light = paint(world.scene(),
                      light_.update(environment.celestial(), environment.haze, pose.position.y));
   view.clouds = cloud_view(world, pose.position);
+  view.exposure = world.scene().exposure;
   view.boat = boat_view(world, pose.position, view.light);
 
   const double aspect = static_cast<double>(size.x) / size.y;

@@ -1,5 +1,7 @@
 #include "game/frame/frame.h"
 
+#include <algorithm>
+
 #include "engine/core/paths.h"
 #include "engine/io/model.h"
 #include "shaders/shared/bindings.h"
@@ -71,6 +73,8 @@ Techniques::Techniques(ShaderLibrary& shaders, const Quality& quality,
            load_model(boat_model.empty() ? data_root() / "assets/models/r8/r8.glb" : boat_model,
                       kBoatNodeNames),
            load_boat_textures(data_root() / "assets/textures")),
+      exposure(shaders),
+      bloom(shaders),
       tonemap(shaders),
       frame_block("frame", sizeof(shared::FrameData)) {}
 
@@ -98,7 +102,20 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   t.gardner.add(graph, view.gardner, view.light, t.sky, sky, hdr, depth);
   t.clouds.add_picture(graph, clouds, view.clouds, cloud_camera(view), t.sky, sky, hdr, depth,
                        view.sky_visible && !view.gardner.ellipsoids);
-  t.tonemap.add(graph, hdr, display, {.exposure = view.light.exposure, .count_nonfinite = true});
+
+  const BufferId exposure = t.exposure.add(graph, hdr,
+                                           {.exposure = view.light.exposure,
+                                            .luminance = adapting_luminance(view.light),
+                                            .dt = view.frame.time.y},
+                                           view.exposure);
+  const double glare = std::min(view.exposure.bloom * glare_share(view.light.exposure), 0.8);
+  const TextureId glow = glare > 0.0 ? t.bloom.add(graph, hdr) : TextureId{};
+  t.tonemap.add(graph, hdr, display,
+                {.curve = static_cast<ToneCurve>(view.exposure.curve),
+                 .exposure = view.light.exposure,
+                 .count_nonfinite = true,
+                 .glow_share = glare},
+                exposure, glow);
   return display;
 }
 

@@ -7,6 +7,8 @@
 #include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
 #include "engine/ocean/ocean.h"
+#include "engine/post/bloom.h"
+#include "engine/post/exposure.h"
 #include "engine/post/tonemap.h"
 #include "engine/shader/shader_library.h"
 #include "engine/sky/probe.h"
@@ -24,11 +26,13 @@ struct Techniques {
              const std::filesystem::path& boat_model);
 
   Sky sky;
-  Cloudscape clouds;
   Probe probe;
+  Cloudscape clouds;
   Ocean ocean;
   GardnerClouds gardner;
   BoatPass boat;
+  Exposure exposure;
+  Bloom bloom;
   Tonemap tonemap;
   gl::Buffer frame_block;  ///< shared::FrameData
 };

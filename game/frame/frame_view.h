@@ -2,11 +2,12 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "engine/clouds/gardner.h"
 #include <string>
+#include "engine/clouds/gardner.h"
 
-#include "engine/sky/palette.h"
 #include "engine/clouds/cloud_field.h"
+#include "engine/post/exposure_settings.h"
+#include "engine/sky/palette.h"
 #include "engine/sky/sky_light.h"
 #include "game/frame/boat_view.h"
 #include "game/world/world.h"
@@ -24,6 +25,7 @@ struct FrameView {
   CloudView clouds;
   BoatView boat;
   GardnerView gardner;
+  ExposureSettings exposure;
   bool sea_visible = true, sky_visible = true;
 };
 

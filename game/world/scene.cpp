@@ -17,6 +17,7 @@ FieldTable Scene::fields() {
   gardner.describe(table);
   sky.describe(table);
   clouds.describe(table);
+  exposure.describe(table);
   table.group("boat")
       .number("heading", boat.heading_deg, {-360.0, 360.0}, "deg",
               "where the bow points at the start, true")

@@ -11,6 +11,7 @@
 #include "engine/core/fields.h"
 #include "engine/environment/environment.h"
 #include "engine/ocean/sea_state.h"
+#include "engine/post/exposure_settings.h"
 #include "engine/sky/palette.h"
 
 namespace offing {
@@ -45,6 +46,7 @@ struct Scene {
   CloudParameters clouds;
   BoatStart boat;
   CameraStart camera;
+  ExposureSettings exposure;
   GardnerParameters gardner;
   int cloud_method = static_cast<int>(CloudMethod::kVolumetric);
   SkyLook sky;

@@ -1,9 +1,14 @@
-// HDR picture to display: night sight, curve, sRGB, dither. One pass.
+// HDR picture to display: glow, night sight, exposure, curve, sRGB, dither. One pass.
 #include "lib/colour.glsl"
 #include "lib/tonemap.glsl"
+#include "post/exposure.glsl"
 
 layout(binding = 0) uniform sampler2D hdr;
+layout(binding = 1) uniform sampler2D glow;
+layout(std430, binding = 1) readonly buffer State { ExposureState state; };
 layout(location = 0) uniform float exposure;
+layout(location = 2) uniform float glow_share;
+layout(location = 3) uniform int glows;  // 0 or 1
 layout(location = 1) uniform int night;  // 1 where any pixel that is not black may be seen by rods
 #ifdef COUNT_NONFINITE
 layout(std430, binding = 0) buffer Count { uint nonfinite; };
@@ -18,10 +23,15 @@ void main() {
 #endif
     colour = vec3(0.0);
   }
-  // A loop, not an if: a CPU renderer runs both sides of an if.
+  // Loops, not ifs: a CPU renderer runs both sides of an if.
+  for (int i = 0; i < glows; ++i) {
+    vec2 at = gl_FragCoord.xy / vec2(textureSize(hdr, 0));
+    colour = mix(colour, textureLod(glow, at, 0.0).rgb, glow_share);
+  }
   for (int i = 0; i < night; ++i) {
     colour = night_sight(colour, rod_share(colour_luminance(colour) / exposure));
   }
+  colour *= state.factor;
 #ifdef EXPONENTIAL
   vec3 shown = tonemap_exponential(colour);
 #else

@@ -1,0 +1,52 @@
+#include "engine/core/error.h"
+#include "engine/core/paths.h"
+#include "engine/graph/gl_device.h"
+#include "engine/io/image.h"
+#include "engine/platform/headless_context.h"
+#include "engine/sky/sky_panorama.h"
+#include "game/export/exports.h"
+#include "game/frame/quality.h"
+
+namespace offing {
+
+// The clear sky above the scene's place and time, as seen from where its free camera stands, or
+// from the boat.
+void export_sky(const Scene& scene, const Options& options) {
+  check_image_name(options.out);
+  const glm::ivec2 size = options.size.value_or(glm::ivec2(1024, 512));
+  constexpr double kAboardEye = 3.0;  // m
+  const bool free = scene.camera.mode == static_cast<int>(CameraMode::kFree);
+  const double height = free ? scene.camera.position.y : kAboardEye;
+
+  const HeadlessContext context;
+  ShaderLibrary shaders(data_root() / "shaders");
+  GlDevice device;
+  FrameGraph graph(device);
+  Sky sky(shaders, quality_named(options.quality, false).level);
+  const std::vector<Star> stars = load_stars(star_file());
+  SkyLightModel model(Starlight(stars, load_milky_way(milky_way_file())));
+  const Environment& environment = scene.environment;
+  const SkyLight& light = model.update(environment.celestial(), environment.haze, height);
+  Panorama panorama =
+      sky_panorama(shaders, graph, sky, light, environment.wind.speed, size.x, size.y);
+  if (!options.no_discs) {
+    add_discs(panorama, light);
+    add_stars(panorama, light, stars);
+  }
+  Image image{size.x, size.y, 3, {}, {}};
+  image.pixels.reserve(panorama.pixels.size() * 3);
+  for (const glm::dvec3& pixel : panorama.pixels) {
+    for (int c = 0; c < 3; ++c) image.pixels.push_back(static_cast<float>(pixel[c]));
+  }
+  const CelestialState& celestial = environment.celestial();
+  const glm::dvec3 level = panorama.level_illuminance();
+  write_image(options.out, image, {"R", "G", "B"},
+              {{"sun_elevation_deg", celestial.sun.elevation_deg},
+               {"sun_azimuth_deg", celestial.sun.azimuth_deg},
+               {"moon_elevation_deg", celestial.moon.elevation_deg},
+               {"moon_azimuth_deg", celestial.moon.azimuth_deg},
+               {"camera_height_m", height},
+               {"level_illuminance_lux", 0.2126 * level.x + 0.7152 * level.y + 0.0722 * level.z}});
+}
+
+}  // namespace offing

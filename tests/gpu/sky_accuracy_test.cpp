@@ -1,0 +1,188 @@
+// The sky that is drawn against physics worked out without its tables, and against what is
+// measured.
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "engine/core/angles.h"
+#include "engine/environment/calendar.h"
+#include "engine/graph/gl_device.h"
+#include "engine/sky/air_reference.h"
+#include "engine/sky/sky_panorama.h"
+#include "support/gl_test.h"
+
+#define OFFING_GLSL "shaders/lib/phase.glsl"
+#include "engine/core/glsl_double.h"
+#define OFFING_GLSL "shaders/lib/scattering.glsl"
+#include "engine/core/glsl_double.h"
+
+namespace offing {
+namespace {
+
+class SkyAccuracy : public test::GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    if (IsSkipped()) return;
+    shaders_ = std::make_unique<ShaderLibrary>(data_root() / "shaders");
+    device_ = std::make_unique<GlDevice>();
+    graph_ = std::make_unique<FrameGraph>(*device_);
+    sky_ = std::make_unique<Sky>(*shaders_, 0);
+    stars_ = load_stars(star_file());
+    model_ = SkyLightModel(Starlight(stars_, load_milky_way(milky_way_file())));
+  }
+
+  Panorama panorama(const CelestialState& celestial, double haze, double height, int width) {
+    light_ = model_.update(celestial, haze, height);
+    return sky_panorama(*shaders_, *graph_, *sky_, light_, 8.0, width, width / 2);
+  }
+
+  /// Illuminance of a level surface by sky, discs and stars, lux.
+  double level(const CelestialState& celestial) {
+    Panorama all = panorama(celestial, 0.1, 3.0, 256);
+    add_discs(all, light_);
+    add_stars(all, light_, stars_);
+    return glm::dot(all.level_illuminance(), glm::dvec3(0.2126, 0.7152, 0.0722));
+  }
+
+  std::unique_ptr<ShaderLibrary> shaders_;
+  std::unique_ptr<GlDevice> device_;
+  std::unique_ptr<FrameGraph> graph_;
+  std::unique_ptr<Sky> sky_;
+  std::vector<Star> stars_;
+  SkyLightModel model_;
+  SkyLight light_;
+};
+
+CelestialState sun_at(double elevation) {
+  CelestialState s;
+  s.sun.azimuth_deg = 180.0;
+  s.sun.elevation_deg = s.sun.elevation_airless_deg = elevation;
+  s.moon.elevation_deg = s.moon.elevation_airless_deg = -50.0;
+  return s;
+}
+
+TEST_F(SkyAccuracy, TransmittanceAtAllElevationsAndHeights) {
+  light_ = model_.update(sun_at(30.0), 0.0, 3.0);
+  graph_->begin_frame();
+  const SkyIds ids = sky_->add_tables(*graph_, light_);
+  std::vector<float> table;
+  int width = 0, height = 0;
+  graph_->add(
+      "read", [&](PassBuilder& pass) { pass.read(ids.transmittance).side_effect(); },
+      [&](PassContext& context) {
+        const gl::Texture& texture = context.texture(ids.transmittance);
+        table = texture.read_floats(4);
+        width = texture.width();
+        height = texture.height();
+      });
+  graph_->execute();
+  // As a shader reads it, bilinear, at places that are none of the table's own.
+  const auto read = [&](double h, double cosine, int c) {
+    const glsl::vec2 unit = glsl::transmittance_units(h, cosine);
+    const double x = unit.x * (width - 1), y = unit.y * (height - 1);
+    const int i = std::min(static_cast<int>(x), width - 2);
+    const int j = std::min(static_cast<int>(y), height - 2);
+    const auto at = [&](int a, int b) {
+      return static_cast<double>(table[static_cast<std::size_t>(4 * (b * width + a) + c)]);
+    };
+    const double u = x - i, v = y - j;
+    return (1 - v) * ((1 - u) * at(i, j) + u * at(i + 1, j)) +
+           v * ((1 - u) * at(i, j + 1) + u * at(i + 1, j + 1));
+  };
+  const AirReference air(0.0);
+  int checked = 0;
+  for (const double h : {0.003, 0.03, 0.21, 1.1, 3.7, 8.3, 14.9, 20.0}) {
+    const double horizon = -degrees(std::asin(glsl::horizon_dip_sine(h)));
+    for (const double above : {0.05, 0.3, 1.1, 2.3, 5.2, 11.0, 31.0, 67.0, 90.0}) {
+      const double elevation = std::min(horizon + above, 90.0);
+      const double cosine = std::sin(radians(elevation));
+      const glm::dvec3 exact = air.transmittance(h, cosine);
+      for (int c = 0; c < 3; ++c) {
+        if (exact[c] < 0.01) continue;
+        EXPECT_NEAR(read(h, cosine, c) / exact[c], 1.0, 0.01) << h << " km " << elevation;
+        ++checked;
+      }
+    }
+  }
+  EXPECT_GT(checked, 150);
+}
+
+TEST_F(SkyAccuracy, TheReferenceAgreesWithPublishedTransmittances) {
+  // Sea level to 100 km with the constants of Hillaire's demo.
+  const AirReference air(0.0);
+  const double degrees_up[] = {90.0, 30.0, 10.0, 2.0};
+  const glm::dvec3 published[] = {{.94036, .86762, .76231},
+                                  {.88478, .75386, .58228},
+                                  {.71294, .45938, .22163},
+                                  {.33081, .08528, .00616}};
+  for (int i = 0; i < 4; ++i) {
+    const glm::dvec3 t = air.transmittance(0.0, std::sin(radians(degrees_up[i])));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(t[c] / published[i][c], 1.0, 0.002) << degrees_up[i];
+  }
+}
+
+TEST_F(SkyAccuracy, DaylightIsThatOfAllOrdersOfScattering) {
+  const AirReference air(0.0);
+  for (const double elevation : {50.0, 15.0}) {
+    Panorama seen = panorama(sun_at(elevation), 0.0, 3.0, 64);
+    double error = 0.0, noise = 0.0;
+    int count = 0;
+    for (const auto& [x, y] : {std::pair{3, 3}, {20, 6}, {10, 9}, {28, 12}, {2, 14}, {24, 15}}) {
+      const glm::dvec3 d = seen.direction(x, y);
+      glm::dvec3 spread;
+      const glm::dvec3 bands = air.path_traced(0.003, d, light_.sun_direction, 1500, 7, &spread);
+      const glm::dvec3 traced = glsl::srgb_from_bands(bands);
+      for (int c = 0; c < 3; ++c) {
+        error += std::abs(seen.at(x, y)[c] / light_.sun_source[c] / traced[c] - 1.0);
+        noise += spread[c] / bands[c];
+        ++count;
+      }
+    }
+    EXPECT_LT(noise / count, 0.03);
+    EXPECT_LT(error / count, 0.05) << elevation;
+  }
+}
+
+TEST_F(SkyAccuracy, ThePathTracerBeginsWithSingleScattering) {
+  // Where the air is thin enough, high up and toward the zenith, first order is all but all of it.
+  const AirReference air(0.0);
+  const glm::dvec3 light = glm::normalize(glm::dvec3(0.3, 0.6, 0.2));
+  const glm::dvec3 up(0.0, 1.0, 0.0);
+  const glm::dvec3 once = air.single(40.0, up, light, 200);
+  const glm::dvec3 all = air.path_traced(40.0, up, light, 3000, 3);
+  EXPECT_GT(all.x, once.x);
+  EXPECT_NEAR(all.x / once.x, 1.0, 0.2);
+}
+
+TEST_F(SkyAccuracy, LevelIlluminanceIsThatOfNature) {
+  const double noon = level(sun_at(62.0));
+  EXPECT_GT(noon, 90e3);
+  EXPECT_LT(noon, 120e3);
+  const double sunset = level(sun_at(-0.3));
+  EXPECT_GT(sunset, 300.0);
+  EXPECT_LT(sunset, 1000.0);
+  // A night with the full moon high, and one without.
+  CelestialState night = celestial_state(*parse_date("2026-12-23") + 3600.0 * 23.9, 43.36, -8.41);
+  ASSERT_GT(night.moon.elevation_deg, 50.0);
+  ASSERT_GT(night.moon_lit_fraction, 0.97);
+  const double moonlit = level(night);
+  EXPECT_GT(moonlit, 0.05);
+  EXPECT_LT(moonlit, 0.35);
+  night.moon.elevation_deg = night.moon.elevation_airless_deg = -40.0;
+  const double moonless = level(night);
+  EXPECT_GT(moonless, 0.5e-3);
+  EXPECT_LT(moonless, 2e-3);
+}
+
+TEST_F(SkyAccuracy, TheExportedSkyHasTheLightThatTheModelKnows) {
+  for (const double elevation : {40.0, 3.0}) {
+    Panorama all = panorama(sun_at(elevation), 0.1, 3.0, 256);
+    add_discs(all, light_);
+    const glm::dvec3 weights(0.2126, 0.7152, 0.0722);
+    EXPECT_NEAR(glm::dot(all.level_illuminance(), weights) / light_.level_illuminance(), 1.0, 0.03)
+        << elevation;
+  }
+}
+
+}  // namespace
+}  // namespace offing
