@@ -117,6 +117,7 @@ shared::CloudData cloud_data(const CloudView& view, const SkyLight& light) {
 
   const glm::dvec3 h = at_eye(view, cloud_carried(view, kHighHeight), kHighPeriod, 4);
   data.high = pack(h.x, h.z, 1.0 / kHighPeriod, kHighHeight);
+  data.march = pack(p.step_scale, 0.0, 0.0, 0.0);
   data.high_form = pack(1.0 - weather.high, 0.9 * weather.high, along.x, along.y);
   return data;
 }
@@ -135,13 +136,13 @@ CloudField::CloudField(ShaderLibrary& shaders)
   glSamplerParameteri(volume_.id(), GL_TEXTURE_WRAP_R, GL_REPEAT);
 }
 
-CloudIds CloudField::add(FrameGraph& graph, const CloudView& view, const SkyLight& light) {
+CloudIds CloudField::add(FrameGraph& graph, const CloudView& view, const shared::CloudData& data) {
+  lowest_base_ = data.layer.x;
   const CloudNoise::Ids noise = noise_.add(graph, view.parameters);
   const WeatherMap::Ids weather =
       weather_.add(graph, noise.weather, view.weather, view.elapsed, view.parameters, view.seed);
   const CloudIds ids{noise.shape,     noise.detail, noise.curl,
                      weather.weather, weather.most, graph.import(block_)};
-  const shared::CloudData data = cloud_data(view, light);
   graph.add(
       "clouds.block",
       [&](PassBuilder& pass) {

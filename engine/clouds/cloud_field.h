@@ -43,12 +43,14 @@ class CloudField {
 
   /// Adds clouds.noise, clouds.pack, clouds.weather and clouds.block: each runs only where somebody
   /// reads it and something has changed.
-  CloudIds add(FrameGraph& graph, const CloudView& view, const SkyLight& light);
+  CloudIds add(FrameGraph& graph, const CloudView& view, const shared::CloudData& data);
 
   /// Binds textures and block for density.glsl, within a pass that has declared ids.read_by().
   void bind(const PassContext& context, const CloudIds& ids) const;
 
   CloudNoise& noise() { return noise_; }
+  /// Of what was added last, m over the sea.
+  double lowest_base() const { return lowest_base_; }
 
  private:
   CloudNoise noise_;
@@ -56,6 +58,7 @@ class CloudField {
   gl::Sampler volume_, plane_, nearest_;
   gl::Buffer block_;
   PassMemory block_memory_;
+  double lowest_base_ = 0.0;
 };
 
 /// How far (x, z; m) and how fast (m/s) the wind at this height (m) carries clouds.

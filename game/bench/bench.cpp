@@ -11,6 +11,7 @@ namespace offing {
 
 void run_bench(const Options& options) {
   static const std::map<std::string, void (*)(const Options&)> benches = {
+      {"clouds", bench_clouds},
       {"frame", bench_frame},
   };
   const auto found = benches.find(options.what);

@@ -34,15 +34,27 @@ OceanView ocean_view(const FrameView& view) {
   return {view.frame.clip_from_relative, {view.camera.x, view.camera.z}, view.camera.y};
 }
 
-LightAccess light_access(const Sky& sky, const SkyIds& ids) {
-  return {[ids](PassBuilder& pass) { ids.read_by(pass); },
-          [&sky, ids](const PassContext& context) { sky.bind(context, ids); }};
+LightAccess light_access(const Sky& sky, const SkyIds& ids, const CloudShadow& shadow,
+                         const CloudShadowIds& shadow_ids) {
+  return {[ids, shadow_ids](PassBuilder& pass) {
+            ids.read_by(pass);
+            shadow_ids.read_by(pass);
+          },
+          [&sky, &shadow, ids, shadow_ids](const PassContext& context) {
+            sky.bind(context, ids);
+            shadow.bind(context, shadow_ids);
+          }};
+}
+
+CloudCamera cloud_camera(const FrameView& view) {
+  return {view.size, view.frame.clip_from_relative, view.camera, view.light.exposure};
 }
 
 }  // namespace
 
 Techniques::Techniques(ShaderLibrary& shaders, const Quality& quality)
     : sky(shaders, quality.level),
+      clouds(shaders, quality.level),
       ocean(shaders, OceanSettings::of_quality(quality.level)),
       gardner(shaders),
       boat(shaders, load_model(data_root() / "assets/models/r8/r8.glb", kBoatNodeNames),
@@ -63,13 +75,17 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
 
   add_begin(graph, view, t.frame_block, hdr, depth);
   const SkyIds sky = t.sky.add_tables(graph, view.light);
+  const CloudscapeIds clouds = t.clouds.add_field(graph, view.clouds, view.light);
   const SeaIds sea = t.ocean.add_maps(graph, view.sea_time);
   const TextureId hull = t.boat.add_mask(graph, view.boat, view.frame);
   t.boat.add(graph, view.boat, view.frame, hdr, depth);
-  t.ocean.add_draw(graph, ocean_view(view), sea, light_access(t.sky, sky), hull, hdr, depth,
+  t.ocean.add_draw(graph, ocean_view(view), sea,
+                   light_access(t.sky, sky, t.clouds.shadow(), clouds.shadow), hull, hdr, depth,
                    view.sea_visible);
   t.sky.add_background(graph, view.light, sky, hdr, depth, view.sky_visible);
   t.gardner.add(graph, view.gardner, view.light, t.sky, sky, hdr, depth);
+  t.clouds.add_picture(graph, clouds, view.clouds, cloud_camera(view), t.sky, sky, hdr, depth,
+                       view.sky_visible);
   t.tonemap.add(graph, hdr, display, {.exposure = view.light.exposure, .count_nonfinite = true});
   return display;
 }

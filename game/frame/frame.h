@@ -1,4 +1,5 @@
 #pragma once
+#include "engine/clouds/clouds.h"
 #include "engine/clouds/gardner.h"
 #include "engine/gl/buffer.h"
 #include "engine/gl/texture.h"
@@ -18,6 +19,7 @@ struct Techniques {
   Techniques(ShaderLibrary& shaders, const Quality& quality);
 
   Sky sky;
+  Cloudscape clouds;
   Ocean ocean;
   GardnerClouds gardner;
   BoatPass boat;

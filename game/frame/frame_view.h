@@ -2,6 +2,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "engine/clouds/cloud_field.h"
 #include "engine/clouds/gardner.h"
 #include "engine/sky/sky_light.h"
 #include "game/frame/boat_view.h"
@@ -17,6 +18,7 @@ struct FrameView {
   glm::dvec3 camera{0.0};   ///< world, m
   double sea_time = 0.0;    ///< s
   SkyLight light;
+  CloudView clouds;
   BoatView boat;
   GardnerView gardner;
   bool sea_visible = true, sky_visible = true;

@@ -14,6 +14,7 @@ FieldTable Scene::fields() {
   table.group("clouds").choice("method", cloud_method, {"volumetric", "ellipsoids"},
                                "how low clouds are drawn: in volume, or as Gardner's ellipsoids");
   gardner.describe(table);
+  clouds.describe(table);
   table.group("boat")
       .number("heading", boat.heading_deg, {-360.0, 360.0}, "deg",
               "where the bow points at the start, true")

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/clouds/cloud_parameters.h"
 #include "engine/clouds/gardner.h"
 #include "engine/core/fields.h"
 #include "engine/environment/environment.h"
@@ -36,6 +37,7 @@ enum class CloudMethod : int { kVolumetric, kEllipsoids };
 struct Scene {
   Environment environment;
   SeaState sea;
+  CloudParameters clouds;
   BoatStart boat;
   CameraStart camera;
   GardnerParameters gardner;

@@ -7,17 +7,16 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba16f, binding = 0) uniform writeonly image2D shadow;
 layout(location = 0) uniform ivec2 rows;  // first and number of those to bring up to date
+layout(location = 1) uniform vec2 middle;  // of the map from the camera (x, z; m)
+layout(location = 2) uniform vec3 toward;  // the light, not flat
 
 const int kSteps = 28;
-const float kFlattest = 0.05;  // sine of the light's elevation, at least: rays stay this short
 
 void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, rows.x);
   int size = imageSize(shadow).x;
   if (texel.x >= size || texel.y >= rows.x + rows.y) return;
-  vec2 plan = clouds.shadow.xy + ((vec2(texel) + 0.5) / float(size) - 0.5) / clouds.shadow.z;
-  vec3 toward = clouds.light_direction.xyz;
-  toward = normalize(vec3(toward.x, max(toward.y, kFlattest), toward.z));
+  vec2 plan = middle + ((vec2(texel) + 0.5) / float(size) - 0.5) / clouds.shadow.z;
   // From the top down, as the light comes.
   vec3 at = vec3(plan.x, clouds.shadow.w - clouds.eye.x - dot(plan, plan) * clouds.eye.y, plan.y);
   float up = (clouds.layer.y - clouds.shadow.w) / toward.y;

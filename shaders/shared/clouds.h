@@ -28,11 +28,13 @@ struct CloudData {
   vec4 ambient;   // x: powder; y: strength of ambient light; z, w: unused
   vec4 high;      // xy: coordinates of the high clouds at the camera; z: 1 / period (1/m); w: height (m)
   vec4 high_form; // x: 1 - cover of the high clouds; y: their optical depth; zw: unit (x, z) along their wind
+  vec4 march;  // x: length of the steps over their usual one; y, z, w: unused
+  vec4 shadow_light;  // xyz: toward the light that the shadow map was made for, not flat; w: unused
   vec4 shadow;    // xy: middle of the shadow map from the camera (x, z; m); z: 1 / its side (1/m); w: its height (m over the sea)
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(CloudData) == 17 * 16);
+static_assert(sizeof(CloudData) == 19 * 16);
 }  // namespace offing::shared
 #else
 layout(std140, binding = OFFING_BIND_CLOUDS) uniform CloudBlock { CloudData clouds; };
