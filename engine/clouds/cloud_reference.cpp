@@ -9,8 +9,10 @@
 namespace offing {
 namespace {
 
-constexpr int kTile = 64;          // pixels on a side: some tenths of a second of work
-constexpr int kSamplesAtOnce = 4;  // of a tile
+constexpr int kTile = 64;  // pixels on a side: some tenths of a second of work
+// llvmpipe ends shaders that go through more than 65535 rounds of loops without a word: so many
+// steps, of 194 rounds each, and one path at once stay below.
+constexpr int kSteps = 4096, kStepsAtOnce = 256;
 
 ShaderDefines defines() {
   // march.glsl wants its quality; the references only take its light.
@@ -61,11 +63,14 @@ CloudSightings CloudReference::march(FrameGraph& graph, const CloudField& field,
         field.bind(context, ids);
         sky.bind(context, sky_ids);
         shadow.bind(context, shadow_ids);
-        light.bind_image(0, GL_WRITE_ONLY);
-        distance.bind_image(1, GL_WRITE_ONLY);
+        light.bind_image(0, GL_READ_WRITE);
+        distance.bind_image(1, GL_READ_WRITE);
         march_program_.use();
-        for_tiles(size, [&](glm::ivec2 corner) { march_program_.program().set(0, corner); });
-        glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+        for (int step = 0; step < kSteps; step += kStepsAtOnce) {
+          march_program_.program().set(1, glm::ivec2(step, kStepsAtOnce));
+          for_tiles(size, [&](glm::ivec2 corner) { march_program_.program().set(0, corner); });
+          glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+        }
       });
   graph.execute();
   CloudSightings seen{size, {}, {}};
@@ -102,11 +107,10 @@ CloudSightings CloudReference::path_trace(FrameGraph& graph, const CloudField& f
         distance.bind_image(1, GL_READ_WRITE);
         path_program_.use();
         while (done < samples) {
-          const int now = std::min(kSamplesAtOnce, samples - done);
-          path_program_.program().set(1, glm::ivec2(done, now));
+          path_program_.program().set(1, glm::ivec2(done, 1));
           for_tiles(size, [&](glm::ivec2 corner) { path_program_.program().set(0, corner); });
           glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-          done += now;
+          ++done;
           if (progress && !progress(done)) break;
         }
       });

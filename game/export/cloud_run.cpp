@@ -8,6 +8,8 @@
 
 #include "engine/core/paths.h"
 #include "engine/gl/debug.h"
+#include "game/world/sea.h"
+#include "game/world/world.h"
 #include "shaders/shared/bindings.h"
 
 namespace offing {
@@ -117,6 +119,13 @@ Image CloudRun::sky(const FrameView& view) {
     }
   }
   return image;
+}
+
+FrameView still_view(Scene scene, glm::ivec2 size) {
+  const DirectWater water = direct_water(scene);
+  World world(std::move(scene), water);
+  world.start();
+  return Extractor().extract(world, size, 1.0 / 60.0, 0);
 }
 
 Image over_sky(const CloudSightings& clouds, const Image& sky) {

@@ -6,6 +6,7 @@
 #include "engine/io/image.h"
 #include "engine/shader/shader_library.h"
 #include "game/frame/frame_view.h"
+#include "game/world/scene.h"
 
 namespace offing {
 
@@ -52,6 +53,9 @@ class CloudRun {
   const gl::Texture* seen_ = nullptr;
   bool software_;
 };
+
+/// What a scene's camera sees at its start, of a calm sea: for what does not show the boat.
+FrameView still_view(Scene scene, glm::ivec2 size);
 
 /// Clouds before a sky, row 0 on top, three channels in cd/m².
 Image over_sky(const CloudSightings& clouds, const Image& sky);

@@ -1,10 +1,12 @@
 #include <fmt/core.h>
 
 #include "engine/core/error.h"
+#include "engine/gl/debug.h"
 #include "engine/io/image.h"
+#include "engine/platform/headless_context.h"
 #include "game/export/cloud_run.h"
 #include "game/export/exports.h"
-#include "game/render/voyage.h"
+#include "game/frame/quality.h"
 
 namespace offing {
 namespace {
@@ -16,18 +18,17 @@ constexpr int kStillFrames = 40;  // two rounds of the sparsest march and some m
 
 // The low clouds as the scene's camera sees them, before nothing: radiance, transmittance,
 // distance.
-void export_clouds(const Scene&, const Options& options) {
+void export_clouds(const Scene& scene, const Options& options) {
   const std::string& method = options.method;
   if (!method.empty() && method != "march" && method != "reference" && method != "pathtrace") {
     throw InputError(fmt::format("--method {}: clouds has march, reference and pathtrace", method));
   }
   check_image_name(options.out);
-  Options still = options;
-  if (options.time) still.sets.push_back(fmt::format("sea.time={}", *options.time));
-  Voyage voyage(still, options.size.value_or(glm::ivec2(160, 90)));
-  voyage.next_frame();
-  const FrameView& view = voyage.view();
-  CloudRun run(CloudQuality::of(voyage.renderer().quality().level));
+  const HeadlessContext context;
+  gl::require_opengl_45();
+  const Quality quality = quality_named(options.quality, gl::current_renderer().software);
+  const FrameView view = still_view(scene, options.size.value_or(glm::ivec2(160, 90)));
+  CloudRun run(CloudQuality::of(quality.level));
   CloudSightings clouds;
   if (method == "reference") {
     clouds = run.reference(view);

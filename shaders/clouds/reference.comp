@@ -5,9 +5,10 @@
 #include "clouds/march.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(rgba32f, binding = 0) uniform writeonly image2D seen;    // radiance (cd/m^2), transmittance
-layout(rg32f, binding = 1) uniform writeonly image2D distance;  // m
-layout(location = 0) uniform ivec2 corner;                      // of this part, pixels
+layout(rgba32f, binding = 0) uniform image2D seen;   // radiance (cd/m^2), transmittance
+layout(rg32f, binding = 1) uniform image2D distance;  // m, weighted; weight. At the end: m
+layout(location = 0) uniform ivec2 corner;            // of this part, pixels
+layout(location = 1) uniform ivec2 steps;             // of the ray: first and number
 
 const int kViewSteps = 4096;
 const int kLightSteps = 192;
@@ -37,10 +38,14 @@ void main() {
   span.far = min(span.far, REACH) * clouds.eye.z;
   CloudRay ray = cloud_ray(direction, min(span.near, REACH));
   float step_length = max(span.far - span.near, 0.0) / float(kViewSteps);
-  vec3 radiance = vec3(0.0);
-  float transmittance = 1.0;
-  float weight = 0.0, weighted = 0.0;
-  for (int i = 0; i < kViewSteps; ++i) {
+  // A ray is done in pieces: a CPU renderer ends shaders that loop more than 65535 times.
+  bool first = steps.x == 0;
+  vec4 before = first ? vec4(0.0, 0.0, 0.0, 1.0) : imageLoad(seen, pixel);
+  vec2 before_distance = first ? vec2(0.0) : imageLoad(distance, pixel).rg;
+  vec3 radiance = before.rgb;
+  float transmittance = before.a;
+  float weighted = before_distance.x, weight = before_distance.y;
+  for (int i = steps.x; i < steps.x + steps.y; ++i) {
     if (step_length <= 0.0 || transmittance < kNothingLeft) break;
     float t = span.near + (float(i) + 0.5) * step_length;
     vec3 p = direction * t;
@@ -58,6 +63,11 @@ void main() {
       weighted += share * t;
       transmittance *= exp(-depth);
     }
+  }
+  if (steps.x + steps.y < kViewSteps) {
+    imageStore(seen, pixel, vec4(radiance, transmittance));
+    imageStore(distance, pixel, vec4(weighted, weight, 0.0, 0.0));
+    return;
   }
   float mean = weight > 0.0 ? weighted / weight : 0.0;
   AirLight air = cloud_air(direction, mean, cloud_altitude(direction * mean));
