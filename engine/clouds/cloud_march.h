@@ -17,6 +17,7 @@ struct CloudQuality {
   float finest = 45.0f;    ///< shortest step, m
   float growth = 0.011f;   ///< step over distance
   float reach = 70000.0f;  ///< m
+  bool curl = true;        ///< edges drawn out by the wind
   /// 0 low, 1 medium, 2 high, 3 ultra.
   static CloudQuality of(int quality);
 };
