@@ -17,8 +17,10 @@ namespace {
 const std::map<std::string, std::string> kVerbs = {
     {"play", "sail in a window (what no verb means)"},
     {"render", "draw pictures without a window"},
-    {"export", "data for other tools: ocean, heights, clouds, ephemeris, polar or boat"},
-    {"bench", "measure run time, and error where there is one: frame or clouds"},
+    {"export", "data for other tools: ocean, heights, sky, clouds, ephemeris, polar or boat"},
+    {"bench",
+     "measure run time, and error where there is one: frame, ocean, query, sky, probe, clouds or "
+     "boat"},
 };
 
 std::string list_keys() {

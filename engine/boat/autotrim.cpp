@@ -13,7 +13,7 @@ namespace {
 /// sail at best lift against what holds her upright at 26 degrees, crew out.
 double power_for(const RigParameters& rig, double wind) {
   constexpr double kRightingMoment = 11500.0, kBestLift = 1.4, kArmBelow = 0.75;  // N m, -, m
-  const double area = rig.main_area + rig.jib_area;
+  const double area = std::max(rig.main_area + rig.jib_area, 1e-3);
   const double height =
       (rig.main_area * rig.main_height + rig.jib_area * rig.jib_height) / area + kArmBelow;
   const double full = 0.5 * kAirDensity * wind * wind * area * kBestLift * height;
@@ -51,11 +51,16 @@ TrimOrder AutoTrim::step(const RigParameters& rig, const TrimView& view, double 
   order.reef = std::min(reef_most, kSmallest + (1.0 - kSmallest) * std::min(2.0 * power_, 1.0));
   // A gust heels her faster than anyone reefs: spill it.
   const double spill = std::clamp(std::abs(view.heel) - kMostHeel - radians(4.0), 0.0, 0.35);
-  // Sliding sideways, less press brings her to go ahead again.
-  const double slide = std::clamp(std::abs(view.leeway) - radians(12.0), 0.0, radians(45.0));
-  // The main aft of the mast holds her up to the wind: ease it to bear away.
+  // Sliding sideways under press, she goes ahead again with less of it. Upright she only drifts.
+  const double press = std::clamp(std::abs(view.heel) / radians(12.0), 0.0, 1.0);
+  const double slide =
+      press * std::clamp(std::abs(view.leeway) - radians(12.0), 0.0, radians(45.0));
+  // The main aft of the mast holds her up to the wind, the more the more she heels, and the rudder
+  // is no match for it while she has no way close to the wind: ease it to bear away.
+  const double way = std::clamp((1.2 - view.speed) / 0.7, 0.0, 1.0);
+  const double near = std::clamp((radians(65.0) - apparent_) / radians(20.0), 0.0, 1.0);
   const double away = std::max(view.apparent < 0.0 ? -view.turn : view.turn, 0.0);
-  const double bear_away = radians(25.0) * std::max(away - 0.2, 0.0);
+  const double bear_away = std::max(press, way * near) * radians(25.0) * std::max(away - 0.2, 0.0);
   order.main_sheet = std::clamp(apparent_ - kBestAttack + spill + slide + bear_away, rig.boom_least,
                                 rig.boom_stop);
   order.jib_sheet = std::clamp(apparent_ - kBestAttack, rig.jib_least, rig.jib_stop);
@@ -64,10 +69,9 @@ TrimOrder AutoTrim::step(const RigParameters& rig, const TrimView& view, double 
   stuck_ = in_irons ? stuck_ + dt : 0.0;
   if (stuck_ > 1.0) {
     // The bow falls away from the side the clew is held to. No helm: fall off as she lies.
-    // Astern the rudder turns her the other way: help it, do not fight it.
-    const double helm = view.speed < -0.15 ? -view.turn : view.turn;
-    const double wish = std::abs(helm) > 0.1 ? helm : view.apparent;
+    const double wish = std::abs(view.turn) > 0.1 ? view.turn : view.apparent;
     order.jib_aback = wish < 0.0 ? 1.0 : -1.0;
+    order.main_sheet = radians(45.0);  // free, it no longer holds her bow to the wind
   }
   return order;
 }

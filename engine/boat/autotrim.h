@@ -10,7 +10,7 @@ struct TrimView {
   double leeway = 0.0;    ///< rad
   double heel = 0.0;      ///< rad
   double speed = 0.0;     ///< m/s ahead through the water
-  double turn = 0.0;      ///< -1 to 1: where the helm wants the bow, + starboard
+  double turn = 0.0;      ///< -1 to 1: where whoever steers wants the bow, + starboard
 };
 
 /// Sheets and depowering a crew would choose.

@@ -81,14 +81,7 @@ Boat::Boat(const R8Parameters& parameters)
       keel_(p_.keel_span, p_.keel_chord, p_.keel_area),
       rudder_(p_.rudder_span, p_.rudder_chord, p_.rudder_area),
       rig_(p_.rig) {
-  // Weight over buoyancy on the design waterline, and the metacentre where the numbers want it.
-  const Immersion canoe = immerse_level(hull_.shape(), 0.0);
-  const double volume = canoe.volume + p_.keel_volume;
-  const glm::dvec3 buoyancy =
-      (canoe.volume * canoe.centroid + p_.keel_volume * p_.keel_place) / volume;
-  const double metacentre = buoyancy.y + canoe.transverse_inertia / volume;
-  centre_ = {0.0, metacentre - p_.metacentric_height, buoyancy.z};
-
+  centre_ = p_.centre_of_gravity;
   body_.mass = p_.mass;
   body_.added_mass = p_.mass * p_.added_mass;
   body_.inertia = p_.mass * p_.gyration * p_.gyration;
@@ -103,6 +96,8 @@ void Boat::start(glm::dvec2 position, double heading, double speed, const WaterS
   autotrim_.reset();
   helmsman_.release();
   probe_.reset();
+  memory_.reset();
+  deck_water_.reset();
   rig_reading_ = RigReading{};
   forces_ = BoatForces{};
   navigation_ = Navigation{};
@@ -118,6 +113,8 @@ void Boat::start(glm::dvec2 position, double heading, double speed, const WaterS
   // Newton's method on heave, pitch and roll with the stiffness of the design waterline.
   const Immersion design = immerse_level(hull_.shape(), 0.0);
   const double weight = p_.mass * kGravity, unit = kWaterDensity * kGravity;
+  const double metacentre = design.centroid.y + design.transverse_inertia / design.volume;
+  const double stiffness = weight * std::max(metacentre - centre_.y, 0.2);
   for (int i = 0; i < 40; ++i) {
     const glm::dvec3 origin = motion_.position - motion_.orientation * centre_;
     probe_.sample(hull_.shape(), origin, motion_.orientation, water, time, 1.0);
@@ -125,7 +122,8 @@ void Boat::start(glm::dvec2 position, double heading, double speed, const WaterS
     motion_.velocity = probe_.mean_velocity();
     Loads loads;
     add_gravity(loads);
-    add_underwater(loads);
+    add_underwater(loads, 1.0);
+    memory_.reset();
     const glm::dvec3 force = motion_.orientation * loads.force();
     // Far from the surface the linear step would jump over it.
     const double rise = i == 0 ? probe_.at(hull_.shape(), 0.0).height - origin.y
@@ -133,7 +131,7 @@ void Boat::start(glm::dvec2 position, double heading, double speed, const WaterS
     motion_.position.y += 0.8 * rise + (i == 0 ? 0.2 * rise : 0.0);
     const glm::dvec3 torque = loads.torque();
     const double pitch = torque.x / (unit * design.longitudinal_inertia);
-    const double roll = torque.z / (weight * p_.metacentric_height);
+    const double roll = torque.z / stiffness;
     const glm::dquat turn = glm::angleAxis(std::clamp(0.7 * pitch, -0.1, 0.1), kStarboard) *
                             glm::angleAxis(std::clamp(0.7 * roll, -0.1, 0.1), kAft);
     const glm::dvec3 foot = motion_.position - motion_.orientation * centre_;
@@ -196,6 +194,7 @@ void Boat::displace(glm::dvec3 shift, double heel, double pitch) {
                                        glm::angleAxis(-heel, kAft));
   motion_.position = foot + motion_.orientation * centre_;
   motion_.velocity = motion_.angular_velocity = glm::dvec3(0.0);
+  motion_.acceleration = motion_.angular_acceleration = glm::dvec3(0.0);
   state_.position = foot;
   state_.orientation = motion_.orientation;
   navigate();
@@ -215,8 +214,12 @@ double Boat::jib_limit(double sheet) const {
 }
 
 void Boat::actuate(double dt) {
-  const double helm = helmsman_.task() == Helmsman::Task::kNone ? clean(controls_.rudder, -1.0, 1.0)
-                                                                : helmsman_.step(helm_view(), dt);
+  // Player and helmsman say where the bow is to go: astern the rudder works the other way.
+  const bool astern = navigation_.stw < -0.1;
+  const bool by_hand = helmsman_.task() == Helmsman::Task::kNone;
+  const double wish =
+      by_hand ? clean(controls_.rudder, -1.0, 1.0) : helmsman_.step(helm_view(), dt);
+  const double helm = astern ? -wish : wish;
   state_.rudder_angle = approach(state_.rudder_angle, helm * p_.rudder_most, p_.rudder_rate * dt);
 
   const double reef_most = kReefSizes[std::clamp(controls_.reef, 0, 3)];
@@ -227,7 +230,7 @@ void Boat::actuate(double dt) {
   if (controls_.auto_trim && flow_speed_ > 0.0) {
     order = autotrim_.step(
         p_.rig,
-        {flow_angle_, flow_speed_, navigation_.leeway, navigation_.heel, navigation_.stw, helm},
+        {flow_angle_, flow_speed_, navigation_.leeway, navigation_.heel, navigation_.stw, wish},
         reef_most, dt);
   }
   // Sheets are pulled slower than they run out; a reef takes its time.
@@ -267,10 +270,11 @@ void Boat::add_gravity(Loads& loads) const {
   loads.add_torque(glm::cross(glm::dvec3(state_.crew_offset, 0.0, 0.0), p_.crew_mass * down));
 }
 
-void Boat::add_underwater(Loads& loads) {
+void Boat::add_underwater(Loads& loads, double dt) {
   const glm::dquat body_from_world = glm::conjugate(motion_.orientation);
-  const HullReading reading = hull_.add_loads(loads, body_, motion_, centre_, probe_);
+  const HullReading reading = hull_.add_loads(loads, body_, motion_, centre_, probe_, memory_, dt);
   forces_.volume = reading.volume;
+  forces_.slam = reading.slam;
   forces_.buoyancy = body_from_world * reading.buoyancy;
 
   const glm::dvec3 origin = motion_.position - motion_.orientation * centre_;
@@ -295,9 +299,11 @@ void Boat::add_underwater(Loads& loads) {
   forces_.keel = {keel.x, 0.0, keel.y};
   loads.add(forces_.keel, p_.keel_place - centre_);
 
-  const glm::dvec3 rudder_flow =
+  const glm::dvec3 undisturbed =
       flow(p_.rudder_place, probe_.left_at(-p_.rudder_place.y) *
                                 probe_.at(hull_.shape(), p_.rudder_place.z).velocity);
+  const double downwash = keel_wet * keel_.downwash(std::atan2(keel_flow.x, keel_flow.z));
+  const glm::dvec3 rudder_flow = glm::angleAxis(-downwash, glm::dvec3(0.0, 1.0, 0.0)) * undisturbed;
   free_rudder_ = std::atan2(rudder_flow.x, rudder_flow.z);
   const double rudder_wet = wet_part(depth(p_.rudder_place), p_.rudder_span);
   const glm::dvec2 rudder =
@@ -311,7 +317,7 @@ void Boat::add_underwater(Loads& loads) {
   const double speed = std::abs(astern);
   const double sunk = std::clamp(reading.volume / p_.lines.canoe_volume, 0.0, 2.0);
   const double resistance =
-      sunk * (upright_resistance(speed) + heeled_resistance(speed, navigation_.heel)) *
+      sunk * (upright_resistance(speed) + heeled_resistance(speed, heel_of(motion_.orientation))) *
       (astern > 0.0 ? 1.3 : 1.0);
   forces_.resistance = resistance;
   loads.add_damping(kAft, place - centre_, resistance / std::max(speed, 1e-3), astern);
@@ -399,18 +405,23 @@ void Boat::step(const WaterSurface& water, const WindField& wind, double time, d
   if (!(dt > 0.0)) return;
   const RigidBodyState last = motion_;
   actuate(dt);
+  motion_ = RigidBody::middle(last, dt);
   const glm::dvec3 origin = motion_.position - motion_.orientation * centre_;
-  probe_.sample(hull_.shape(), origin, motion_.orientation, water, time, dt);
+  probe_.sample(hull_.shape(), origin, motion_.orientation, water, time + 0.5 * dt, dt);
 
   Loads loads;
   add_gravity(loads);
-  add_underwater(loads);
+  add_underwater(loads, dt);
+  deck_water_.step(p_.deck, hull_.shape(), probe_, origin, motion_.orientation, dt);
+  deck_water_.add_weight(loads, p_.deck, motion_.orientation, centre_);
   add_air(loads, wind, dt);
   if (external_force_ != glm::dvec3(0.0)) loads.add(external_force_, external_place_ - centre_);
+  motion_ = last;
   limits_ += body_.step(motion_, loads, dt);
   if (!finite(motion_)) {
     motion_ = last;
     motion_.velocity = motion_.angular_velocity = glm::dvec3(0.0);
+    motion_.acceleration = motion_.angular_acceleration = glm::dvec3(0.0);
     ++limits_;
   }
 
@@ -418,7 +429,10 @@ void Boat::step(const WaterSurface& water, const WindField& wind, double time, d
   state_.orientation = motion_.orientation;
   state_.velocity = motion_.velocity;
   state_.angular_velocity = motion_.angular_velocity;
+  state_.deck_water = deck_water_.on_deck();
+  state_.cockpit_water = deck_water_.in_cockpit();
   navigate();
+  navigation_.water_is_late = water.stale(time + dt);
 }
 
 void Boat::navigate() {

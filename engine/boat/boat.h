@@ -5,6 +5,7 @@
 
 #include "engine/boat/autotrim.h"
 #include "engine/boat/boom.h"
+#include "engine/boat/deck_water.h"
 #include "engine/boat/foil.h"
 #include "engine/boat/helmsman.h"
 #include "engine/boat/hull.h"
@@ -20,7 +21,9 @@ namespace offing {
 
 /// What a player holds. Values out of range are cut, values that are not numbers count as 0.
 struct BoatControls {
-  double rudder = 0.0;     ///< -1 bow to port (A) to +1 bow to starboard (D), self-centring
+  /// -1 bow to port (A) to +1 bow to starboard (D), self-centring. Going astern the wheel is turned
+  /// the other way for it.
+  double rudder = 0.0;
   double mainsheet = 0.3;  ///< 0 in to 1 out; automatic trim keeps it up to date
   double jib_sheet = 0.2;  ///< 0 in to 1 out
   int reef = 0;            ///< 0 to 3
@@ -40,11 +43,12 @@ struct BoatState {
   double boom_rate = 0.0;                      ///< rad/s
   double jib_angle = 0.0;                      ///< positive to starboard
   double rudder_angle = 0.0;  ///< positive: trailing edge, and so the bow, to starboard
-  double mainsheet = 0.0, jib_sheet = 0.0;  ///< 0 in to 1 out, as they are
-  double flat = 1.0, reef = 1.0;            ///< fullness and linear size of the sails
-  double crew_offset = 0.0;                 ///< m to starboard
-  double main_fill = 0.0, jib_fill = 0.0;   ///< -1 to 1: press of wind, + bellies to starboard
-  double main_luff = 0.0, jib_luff = 0.0;   ///< 0 full to 1 shaking
+  double mainsheet = 0.0, jib_sheet = 0.0;       ///< 0 in to 1 out, as they are
+  double flat = 1.0, reef = 1.0;                 ///< fullness and linear size of the sails
+  double crew_offset = 0.0;                      ///< m to starboard
+  double main_fill = 0.0, jib_fill = 0.0;        ///< -1 to 1: press of wind, + bellies to starboard
+  double main_luff = 0.0, jib_luff = 0.0;        ///< 0 full to 1 shaking
+  double deck_water = 0.0, cockpit_water = 0.0;  ///< m^3 shipped and not yet run off
   glm::dvec3 apparent_wind{0.0};  ///< m/s, boat axes, at the main: how the air moves past her
 };
 
@@ -55,6 +59,7 @@ BoatState interpolate(const BoatState& a, const BoatState& b, double t);
 struct BoatForces {
   glm::dvec3 buoyancy{0.0}, sails{0.0}, keel{0.0}, rudder{0.0}, windage{0.0};
   double resistance = 0.0;  ///< along her way, positive slows
+  double slam = 0.0;        ///< N, upward, of the slices that go in
   double volume = 0.0;      ///< m^3 under water, keel included
 };
 
@@ -110,7 +115,7 @@ class Boat {
  private:
   void actuate(double dt);
   void add_gravity(Loads& loads) const;
-  void add_underwater(Loads& loads);
+  void add_underwater(Loads& loads, double dt);
   void add_air(Loads& loads, const WindField& wind, double dt);
   void navigate();
   HelmView helm_view() const;
@@ -130,6 +135,8 @@ class Boat {
   BoatState state_;
   RigidBodyState motion_;
   WaterProbe probe_;
+  HullMemory memory_;
+  DeckWater deck_water_;
   Boom boom_;
   AutoTrim autotrim_;
   Helmsman helmsman_;

@@ -62,6 +62,7 @@ void FloatingBody::start(glm::dvec2 position, double heading, const WaterSurface
     (immerse_level(hull_.shape(), mid).volume < volume ? low : high) = mid;
   }
   probe_.reset();
+  memory_.reset();
   probe_.sample(hull_.shape(), {position.x, 0.0, position.y}, motion_.orientation, water, time,
                 1.0);
   const double height = probe_.mean_height() - 0.5 * (low + high);
@@ -71,17 +72,21 @@ void FloatingBody::start(glm::dvec2 position, double heading, const WaterSurface
 
 void FloatingBody::step(const WaterSurface& water, double time, double dt) {
   if (!(dt > 0.0)) return;
-  probe_.sample(hull_.shape(), position(), motion_.orientation, water, time, dt);
+  const RigidBodyState last = motion_;
+  motion_ = RigidBody::middle(last, dt);
+  probe_.sample(hull_.shape(), position(), motion_.orientation, water, time + 0.5 * dt, dt);
   Loads loads;
   const glm::dquat body_from_world = glm::conjugate(motion_.orientation);
   loads.add(body_from_world * glm::dvec3(0.0, -p_.mass * kGravity, 0.0), glm::dvec3(0.0));
-  const HullReading reading = hull_.add_loads(loads, body_, motion_, p_.centre, probe_);
+  const HullReading reading =
+      hull_.add_loads(loads, body_, motion_, p_.centre, probe_, memory_, dt);
   const double wetness = std::min(1.0, reading.volume * kWaterDensity / p_.mass);
   const double along = (body_from_world * (motion_.velocity - probe_.mean_velocity())).z;
   loads.add_damping({0.0, 0.0, 1.0}, glm::dvec3(0.0),
                     0.5 * kWaterDensity * wetness * p_.drag_area * std::abs(along), along);
   const glm::dvec3 rate = motion_.angular_velocity;
   loads.add_angular_damping(glm::dvec3(wetness * p_.damping.roll, 0.0, 0.0), rate);
+  motion_ = last;
   limits_ += body_.step(motion_, loads, dt);
 }
 

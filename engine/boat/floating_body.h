@@ -50,6 +50,7 @@ class FloatingBody {
   RigidBody body_;
   RigidBodyState motion_;
   WaterProbe probe_;
+  HullMemory memory_;
   long limits_ = 0;
 };
 

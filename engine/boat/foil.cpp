@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/boat/curve.h"
@@ -24,6 +25,12 @@ FoilCoefficients Foil::coefficients(double angle) const {
   const double plate = 2.0 * std::sin(folded) * std::sin(folded);
   const double sign = (a < 0.0) != reversed ? -1.0 : 1.0;
   return {sign * lift, kProfileDrag + clean + (plate - clean) * stalled};
+}
+
+double Foil::downwash(double angle) const {
+  constexpr double kReaches = 0.65;
+  const double ahead = std::max(std::cos(angle), 0.0);
+  return kReaches * ahead * 2.0 * coefficients(angle).lift / (kPi * aspect_);
 }
 
 glm::dvec2 Foil::force(glm::dvec2 flow, double deflection) const {

@@ -26,6 +26,12 @@ class Foil {
   /// Force in N in the plane (x to starboard, z aft), for water that moves past at `flow` m/s in
   /// that plane and a trailing edge turned by `deflection` rad to starboard.
   glm::dvec2 force(glm::dvec2 flow, double deflection) const;
+  /// Angle (rad) by which the water behind it is turned when it meets a flow at `angle`: the
+  /// lifting line's 2 CL / (pi AR) far behind, of which two thirds reach a rudder that is shorter
+  /// than the keel and beside its wake. Half the leeway, as towing tanks find (Keuning, Katgert &
+  /// Vermeulen 2007, "Further analysis of the forces on keel and rudder of a sailing yacht"). 0
+  /// astern.
+  double downwash(double angle) const;
 
  private:
   double area_, aspect_;

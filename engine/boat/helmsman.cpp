@@ -48,14 +48,10 @@ double Helmsman::wanted(const HelmView& view, double dt) {
   double goal = target_;
   if (recovering_) goal = view.wind_from - (wind < 0.0 ? -1.0 : 1.0) * radians(85.0);
   const double error = wrap_pi(goal - view.heading);
-  const bool astern = view.speed < -0.15;
   if (task_ != Task::kHold) {
     constexpr double kMeet = 0.45;  // rad before the new heading where the helm is met
     const bool there = std::abs(error) < kMeet + 0.4 * std::abs(view.turn_rate);
-    if (!there) {
-      const double helm = 0.55 * turn_;
-      return astern ? -helm : helm;
-    }
+    if (!there) return 0.55 * turn_;
     task_ = Task::kHold;
   }
   // The rudder's moment grows with the square of the speed: so does the helm with slowness.
@@ -63,9 +59,7 @@ double Helmsman::wanted(const HelmView& view, double dt) {
   if (std::abs(error) < 0.35) {
     integral_ = std::clamp(integral_ + 0.25 * error * dt, -0.35, 0.35);
   }
-  const double helm =
-      std::clamp(ease * (1.8 * error - 1.2 * view.turn_rate) + integral_, -1.0, 1.0);
-  return astern ? -helm : helm;
+  return std::clamp(ease * (1.8 * error - 1.2 * view.turn_rate) + integral_, -1.0, 1.0);
 }
 
 }  // namespace offing

@@ -29,7 +29,8 @@ class Helmsman {
   /// Tacks where the true wind is ahead of the beam, gybes where it is abaft, onto the same angle
   /// on the other side, kept within 42 to 60 and 135 to 165 degrees.
   void tack_or_gybe(const HelmView& view);
-  /// Rudder wanted, -1 to 1, positive turns the bow to starboard.
+  /// Where the bow is to go, -1 to 1, + starboard: the rudder while she goes ahead, its opposite
+  /// astern.
   double step(const HelmView& view, double dt);
 
  private:

@@ -88,7 +88,7 @@ HullShape keelboat_at(const HullLines& lines, double depth_scale) {
     const double z = (i + 0.5) * thickness - 0.5 * lines.length_overall;
     const Station s = station(lines, z, depth_scale);
     shape.sections.push_back(
-        {z, thickness, std::max(0.0, -s.keel_height), mirror(half_section(s, z))});
+        {z, thickness, {s.deck_half_beam, s.deck_height}, mirror(half_section(s, z))});
   }
   return shape;
 }
@@ -98,7 +98,7 @@ HullShape keelboat_at(const HullLines& lines, double depth_scale) {
 void HullShape::translate(double y, double z) {
   for (HullSection& section : sections) {
     section.z += z;
-    section.draught -= y;
+    section.sheer.y += y;
     for (glm::dvec2& point : section.outline) point.y += y;
   }
 }
@@ -121,7 +121,7 @@ HullShape box(double length, double beam, double height) {
     const double z = ((i + 0.5) / kSlices - 0.5) * length;
     const double x = 0.5 * beam;
     shape.sections.push_back(
-        {z, length / kSlices, 0.0, {{x, 0.0}, {x, height}, {-x, height}, {-x, 0.0}}});
+        {z, length / kSlices, {x, height}, {{x, 0.0}, {x, height}, {-x, height}, {-x, 0.0}}});
   }
   return shape;
 }
@@ -134,7 +134,7 @@ HullShape cylinder(double length, double radius) {
   shape.length = length;
   shape.beam = 2.0 * radius;
   for (int i = 0; i < kSlices; ++i) {
-    HullSection section{((i + 0.5) / kSlices - 0.5) * length, length / kSlices, radius, {}};
+    HullSection section{((i + 0.5) / kSlices - 0.5) * length, length / kSlices, {0.0, radius}, {}};
     for (int k = 0; k < kSides; ++k) {
       const double angle = kTau * k / kSides;
       section.outline.push_back({corner * std::cos(angle), corner * std::sin(angle)});

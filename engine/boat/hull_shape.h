@@ -9,7 +9,7 @@ namespace offing {
 struct HullSection {
   double z = 0.0;                   ///< m, middle of the slice, boat frame (bow at -z)
   double thickness = 0.0;           ///< m
-  double draught = 0.0;             ///< m below y = 0, for cross-flow
+  glm::dvec2 sheer{0.0};            ///< (x, y) of the deck's edge, starboard
   std::vector<glm::dvec2> outline;  ///< (x, y), counter-clockwise seen from astern
 };
 

@@ -67,13 +67,14 @@ std::string_view advice(Trouble trouble) {
     case Trouble::kCapsized:
       return "She lies on her side: wait for her to come up, or reset.";
     case Trouble::kNoWind:
-      return "There is no wind to sail by: use the motor.";
+      return "There is no wind to sail by: hold G for the motor.";
     case Trouble::kSailsDown:
       return "Hoist the sails.";
     case Trouble::kInIrons:
       return "The bow points into the wind: hold the rudder to one side until the sails fill.";
     case Trouble::kGoingAstern:
-      return "She moves backward: the rudder works the other way round.";
+      return "She moves backward: hold the rudder to one side until the bow swings and the sails "
+             "fill.";
     case Trouble::kAback:
       return "The wind is on the wrong side of the sails: turn away from it.";
     case Trouble::kLuffing:

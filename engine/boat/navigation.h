@@ -41,6 +41,7 @@ struct Navigation {
   double turn_rate = 0.0;                  ///< rad/s, positive to starboard
   PointOfSail point = PointOfSail::kBeamReach;
   Trouble trouble = Trouble::kNone;
+  bool water_is_late = false;  ///< she sails on what was last known of the sea
 };
 
 PointOfSail point_of_sail(double twa);

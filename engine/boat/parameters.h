@@ -1,22 +1,30 @@
 #pragma once
 #include <glm/vec3.hpp>
 
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "engine/boat/deck_water.h"
 #include "engine/boat/hull.h"
 #include "engine/boat/hull_shape.h"
 #include "engine/boat/rig.h"
+#include "engine/core/fields.h"
 
 namespace offing {
 
 /// The numbers of R8, an 8 m keelboat. SI units; places in the boat frame (x to starboard, y up,
 /// z aft, origin amidships on the design waterline).
 struct R8Parameters {
-  double mass = 1950.0;              ///< kg, crew included
-  double metacentric_height = 1.05;  ///< m, upright, crew amidships: places the centre of gravity
+  double mass = 1950.0;  ///< kg, crew included
+  /// Crew amidships. Gives 1.05 m of metacentric height, and level trim on the designed lines.
+  glm::dvec3 centre_of_gravity{0.0, -0.00505, 0.0257};
   glm::dvec3 gyration{2.0, 2.1, 1.05};       ///< m: pitch, yaw, roll
   glm::dvec3 added_mass{1.0, 1.0, 0.05};     ///< of the mass: sway, heave, surge
   glm::dvec3 added_inertia{0.9, 0.7, 0.15};  ///< of the inertia: pitch, yaw, roll
   HullLines lines;
   HullDamping damping;
+  DeckPlan deck;
 
   double keel_span = 1.16, keel_chord = 0.73, keel_area = 0.85;
   double keel_volume = 0.062;               ///< m^3
@@ -39,7 +47,20 @@ struct R8Parameters {
   double motor_thrust = 1100.0;  ///< N at most
 };
 
+/// Adds the parameters to a table, bound to this object: key, range, unit and help of each.
+void describe(FieldTable& table, R8Parameters& parameters);
+
+/// Numbers that each may be fine but not together: the key of one of them, and what is wrong.
+struct Impossibility {
+  std::string key, why;
+};
+std::optional<Impossibility> impossibility(const R8Parameters& parameters);
+
 /// Throws InputError that names the first number no boat can have.
 void check(const R8Parameters& parameters);
+
+/// The parameters of a TOML file; what it leaves out is R8's. Throws InputError
+/// "file:line: key = value: …" for the first number that no boat can have.
+R8Parameters load_boat(const std::filesystem::path& file);
 
 }  // namespace offing

@@ -46,12 +46,15 @@ SteadySailing sail_steadily(const R8Parameters& parameters, double tws, double t
     mean.limit_hits = boat.limit_hits();
     // Pinched too high she luffs, stops, bears away and tries again: that is no sailing.
     constexpr double kOffCourse = radians(2.0);
-    const bool steady = !recovered && std::abs(wrap_pi(mean.twa - twa)) < kOffCourse &&
-                        fastest - slowest < 0.2 * std::abs(mean.speed) + 0.02;
+    // Nor is losing way, before she stops.
+    const bool keeps_way = w == 0 || mean.speed > 0.97 * last_speed;
+    const bool steady = !recovered && keeps_way && std::abs(wrap_pi(mean.twa - twa)) < kOffCourse &&
+                        fastest - slowest < 0.08 * std::abs(mean.speed) + 0.01;
+    const double sailed = mean.speed;
     if (!steady) mean.speed = mean.vmg = 0.0;
     mean.settled = steady && std::abs(mean.speed - last_speed) <= 0.002 * mean.speed + 1e-4;
     if (mean.settled && w >= 3) break;
-    last_speed = mean.speed;
+    last_speed = sailed;
   }
   return mean;
 }

@@ -106,7 +106,10 @@ SailReading sail_coefficients(bool jib, double angle, double sheeted, double sto
   lift *= flat;
   double drag = (jib ? jib_drag() : main_drag())(apparent);
 
-  const double plate = smooth_step(35.0, 75.0, a) * (1.0 - on_stop);
+  // Held to windward of the boat's middle it is aback: no table was measured there, and cloth
+  // pressed against its own belly is a plate from the first.
+  const double aback = smooth_step(0.0, 8.0, a - apparent);
+  const double plate = std::max(smooth_step(35.0, 75.0, a) * (1.0 - on_stop), aback);
   const double sine = std::sin(std::abs(attack)), cosine = std::cos(attack);
   lift += (kPlate * sine * cosine - lift) * plate;
   drag += (kPlate * sine * sine + 0.04 - drag) * plate;
@@ -142,7 +145,8 @@ RigReading Rig::add_loads(Loads& loads, const SailSet& set, const glm::dvec3& ce
   RigReading reading;
   const glm::dvec2 main_flow(main_wind.x, main_wind.z), jib_flow(jib_wind.x, jib_wind.z);
   const double main_speed = glm::length(main_flow), jib_speed = glm::length(jib_flow);
-  if (!set.hoisted || main_speed < 1e-6 || jib_speed < 1e-6) return reading;
+  if (!set.hoisted || p_.main_area + p_.jib_area <= 0.0 || main_speed < 1e-6 || jib_speed < 1e-6)
+    return reading;
   const double main_from = std::atan2(main_flow.x, main_flow.y);
   const double jib_from = std::atan2(jib_flow.x, jib_flow.y);
   reading.main = sail_coefficients(false, main_from, set.main_angle, p_.boom_stop, set.flat);

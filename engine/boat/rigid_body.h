@@ -12,6 +12,8 @@ struct RigidBodyState {
   glm::dquat orientation{1.0, 0.0, 0.0, 0.0};  ///< world from body
   glm::dvec3 velocity{0.0};
   glm::dvec3 angular_velocity{0.0};
+  /// Of the last step, body axes: what foretells the next one's middle.
+  glm::dvec3 acceleration{0.0}, angular_acceleration{0.0};
 };
 
 /// Forces gathered over one step, in body axes about the centre of mass, with the diagonal of their
@@ -40,9 +42,11 @@ class Loads {
 /// A rigid body with diagonal inertia and diagonal added mass.
 ///
 /// Solves (M + A) dv/dt = F - m w x v and (I + A) dw/dt = T - w x (I + A) w in body axes (Fossen
-/// 2011, "Handbook of Marine Craft Hydrodynamics", ch. 3), semi-implicit: velocities first, with
-/// damping and the rotation of the frame implicit, then the pose from the new velocities, the
-/// orientation by the exponential of the rotation vector.
+/// 2011, "Handbook of Marine Craft Hydrodynamics", ch. 3) by drift, kick, drift (Hairer, Lubich &
+/// Wanner 2006, "Geometric Numerical Integration", I.1.4): half a step of motion, then the loads
+/// *there*, at velocities foretold by the last step's acceleration, then the other half. One
+/// evaluation of the loads a step, second order in dt. Damping is implicit and cannot overshoot,
+/// however stiff. The orientation moves by the exponential of the rotation vector.
 class RigidBody {
  public:
   double mass = 1.0;              ///< kg
@@ -50,9 +54,12 @@ class RigidBody {
   glm::dvec3 inertia{1.0};        ///< kg m^2 about x, y, z of the body
   glm::dvec3 added_inertia{0.0};  ///< kg m^2
 
-  /// One step of dt seconds. Returns how many limits were hit (accelerations beyond 80 m/s^2 or
+  /// Where the body will be, and about how fast, in the middle of a step of dt seconds. The loads
+  /// of the step are to be those of this state.
+  static RigidBodyState middle(const RigidBodyState& state, double dt);
+  /// The step itself. Returns how many limits were hit (accelerations beyond 80 m/s^2 or
   /// 80 rad/s^2, speeds beyond 40 m/s or 15 rad/s, a load that is not a number): 0 in honest work.
-  int step(RigidBodyState& state, const Loads& loads, double dt) const;
+  int step(RigidBodyState& state, const Loads& loads_in_the_middle, double dt) const;
 
   /// Kinetic energy including that of the added mass, J.
   double kinetic_energy(const RigidBodyState& state) const;

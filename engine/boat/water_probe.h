@@ -23,7 +23,8 @@ struct SliceWater {
   }
 };
 
-/// Asks the water at two points abreast of every slice, once a step, and keeps what the hull needs.
+/// Asks the water at two points abreast of every slice (of slices closer than half a metre: at
+/// stations that far apart), once a step, and keeps what the hull needs.
 /// A sample that is not a number or beyond any sea (40 m high, 30 m/s, flatter than upright by more
 /// than 80 degrees) is replaced by the last good one, or cut, and counted: hostile water gives odd
 /// motion for a moment, never a NaN.
@@ -49,6 +50,9 @@ class WaterProbe {
   /// How much of the surface's orbital motion is left at a depth (m): exp(-k depth) with the wave
   /// number g <slope^2> / <velocity^2> of the last seconds, which is exact for one deep-water wave.
   double left_at(double depth) const;
+  /// How the upward acceleration grows toward the stern, 1/s^2 (d a_y / dz along the hull), got and
+  /// smoothed as the mean's is.
+  double pitch_acceleration() const { return pitch_acceleration_; }
   /// How fast the surface turns about the boat's long axis, rad/s, positive lifts starboard.
   double roll_rate() const { return roll_rate_; }
   /// Samples replaced or cut since the start.
@@ -63,6 +67,7 @@ class WaterProbe {
   glm::dvec3 mean_velocity_{0.0}, mean_acceleration_{0.0};
   glm::dvec2 mean_slope_{0.0};
   double mean_height_ = 0.0, roll_rate_ = 0.0, vertical_acceleration_ = 0.0;
+  double pitch_rate_ = 0.0, pitch_acceleration_ = 0.0;
   double slope_energy_ = 0.0, velocity_energy_ = 0.0;
   bool started_ = false;
   long limits_ = 0;

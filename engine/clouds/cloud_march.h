@@ -17,6 +17,7 @@ struct CloudQuality {
   float finest = 45.0f;    ///< shortest step, m
   float growth = 0.011f;   ///< step over distance
   float reach = 70000.0f;  ///< m
+  bool curl = true;        ///< edges drawn out by the wind
   // Switched off only to measure what they buy.
   float least = 0.008f;    ///< transmittance at which a ray ends; 0: never before its end
   bool skipping = true;    ///< longer steps where the field says that there is no cloud

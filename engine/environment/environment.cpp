@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "engine/core/angles.h"
 #include "engine/environment/calendar.h"
@@ -13,6 +14,7 @@ namespace {
 constexpr double kRoughnessLength = 0.005;  // metres: a moderately rough sea
 constexpr double kReferenceHeight = 10.0;   // metres
 constexpr double kLowestHeight = 0.05;      // metres
+constexpr double kPaces[] = {-1440.0, -60.0, -1.0, 1.0, 60.0, 1440.0};  // of the clock
 constexpr const char* kDefaultDate = "2026-08-12";
 constexpr const char* kDefaultTime = "15:30:00";
 
@@ -59,6 +61,16 @@ void Environment::apply_fields() {
   // Texts that still say what the clock says leave its fraction of a second alone.
   const bool same = date && time && *date + *time == std::floor(utc_seconds_);
   set_utc_seconds(date && time && !same ? *date + *time : utc_seconds_);
+}
+
+void Environment::quicken() {
+  const auto* next = std::upper_bound(std::begin(kPaces), std::end(kPaces), clock_rate);
+  clock_rate = next == std::end(kPaces) ? *(next - 1) : *next;
+}
+
+void Environment::slow_down() {
+  const auto* next = std::lower_bound(std::begin(kPaces), std::end(kPaces), clock_rate);
+  clock_rate = next == std::begin(kPaces) ? *next : *(next - 1);
 }
 
 void Environment::advance(double dt) {

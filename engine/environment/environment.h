@@ -45,6 +45,11 @@ class Environment {
   /// Takes over date and time as set through the table: call after setting fields.
   void apply_fields();
 
+  /// The next quicker or slower pace of the clock: a day in a minute, an hour in a minute, as it
+  /// runs, and the same backwards.
+  void quicken();
+  void slow_down();
+
   /// Moves clock and sea time on by dt seconds (nothing while paused). dt may be negative.
   void advance(double dt);
 

@@ -90,7 +90,7 @@ toml::table parse(const fs::path& file) {
   }
 }
 
-std::vector<std::string> scene_names(const fs::path& folder) {
+std::vector<std::string> file_names(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored)) {
@@ -102,30 +102,42 @@ std::vector<std::string> scene_names(const fs::path& folder) {
 
 }  // namespace
 
-fs::path find_scene(std::string_view name_or_file, const fs::path& folder) {
-  const fs::path scenes = folder.empty() ? data_root() / "assets" / "scenes" : folder;
+fs::path find_data(std::string_view option, std::string_view kind, std::string_view name_or_file,
+                   const fs::path& folder) {
   const bool is_path =
       name_or_file.find('/') != std::string_view::npos || name_or_file.ends_with(".toml");
   const fs::path file =
-      is_path ? fs::path(name_or_file) : scenes / fmt::format("{}.toml", name_or_file);
+      is_path ? fs::path(name_or_file) : folder / fmt::format("{}.toml", name_or_file);
   std::error_code ignored;
   if (!name_or_file.empty() && fs::exists(file, ignored) && !fs::is_directory(file, ignored)) {
     return file;
   }
-  const std::vector<std::string> names = scene_names(scenes);
+  const std::vector<std::string> names = file_names(folder);
   throw InputError(fmt::format(
-      "--scene {}: no such scene; {}", name_or_file,
-      names.empty() ? fmt::format("there are none in {}", scenes.string())
+      "{} {}: no such {}; {}", option, name_or_file, kind,
+      names.empty() ? fmt::format("there are none in {}", folder.string())
                     : fmt::format("there are {}, or give a .toml file", fmt::join(names, ", "))));
 }
 
-void load_scene(const fs::path& file, const FieldTable& table) {
+fs::path find_scene(std::string_view name_or_file, const fs::path& folder) {
+  return find_data("--scene", "scene", name_or_file,
+                   folder.empty() ? data_root() / "assets" / "scenes" : folder);
+}
+
+FieldPlaces load_fields(const fs::path& file, const FieldTable& table) {
   std::vector<Entry> entries;
   collect(parse(file), "", file, entries);
   std::stable_sort(entries.begin(), entries.end(),
                    [](const Entry& a, const Entry& b) { return a.line < b.line; });
   for (const Entry& entry : entries) table.check(entry.key, entry.value, entry.where);
-  for (const Entry& entry : entries) table.set(entry.key, entry.value, entry.where);
+  FieldPlaces places;
+  for (const Entry& entry : entries) {
+    table.set(entry.key, entry.value, entry.where);
+    places.emplace(entry.key, entry.where);
+  }
+  return places;
 }
+
+void load_scene(const fs::path& file, const FieldTable& table) { load_fields(file, table); }
 
 }  // namespace offing

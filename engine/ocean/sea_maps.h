@@ -1,11 +1,11 @@
 #pragma once
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "engine/gl/buffer.h"
 #include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
+#include "engine/ocean/sea_transform.h"
 #include "engine/ocean/spectrum.h"
 #include "engine/shader/shader_library.h"
 
@@ -42,8 +42,7 @@ class SeaMaps {
   const ShaderProgram& columns_;
   const ShaderProgram& rows_;
   const ShaderProgram& levels_;
-  std::vector<float> modes_host_;
-  std::vector<float> grids_host_;
+  SeaModes packed_;
   unsigned waves_generation_ = 0;
   gl::Buffer twiddles_, modes_, grids_, work_;
   gl::Texture displacement_, slopes_;

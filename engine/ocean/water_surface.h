@@ -21,7 +21,21 @@ class WaterSurface {
   /// Safe from any thread, never waits. `out` has the length of `points`.
   virtual void sample(std::span<const glm::dvec2> points, double time,
                       std::span<WaterSample> out) const = 0;
+
+  /// Up to this age (s) samples are carried on from what is known; past it they are flattened.
+  static constexpr double kLongestReach = 0.25;
+  /// How long (s) flattening takes.
+  static constexpr double kFlattening = 1.0;
+  /// How far (s) `time` lies from what is known of the water: 0 where samples are as good as they
+  /// get, infinite where nothing is known at all.
+  virtual double age(double time) const;
+  /// What is known is too old for `time`: the water is being flattened, or flat. Say so on screen.
+  bool stale(double time) const { return age(time) > kLongestReach; }
 };
+
+/// The share of the water's motion that is left at an age (s): 1 up to kLongestReach, then falling
+/// smoothly to 0 within kFlattening.
+double share_left(double age);
 
 /// Flat water at height 0.
 class CalmWater final : public WaterSurface {

@@ -12,10 +12,13 @@ class Window;
 /// so A and D lie side by side on every layout.
 enum class Key {
   kA,
+  kB,
   kC,
   kD,
   kF,
+  kG,
   kH,
+  kI,
   kO,
   kP,
   kR,

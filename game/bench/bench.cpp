@@ -11,8 +11,8 @@ namespace offing {
 
 void run_bench(const Options& options) {
   static const std::map<std::string, void (*)(const Options&)> benches = {
-      {"clouds", bench_clouds},
-      {"frame", bench_frame},
+      {"boat", bench_boat},   {"clouds", bench_clouds}, {"frame", bench_frame},
+      {"ocean", bench_ocean}, {"probe", bench_probe},
   };
   const auto found = benches.find(options.what);
   if (found == benches.end()) {

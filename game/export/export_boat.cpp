@@ -14,7 +14,7 @@
 
 namespace offing {
 
-void export_polar(const Scene&, const Options& options) {
+void export_polar(const Scene& scene, const Options& options) {
   std::string text = "tws_kn,twa_deg,speed_kn,heel_deg,leeway_deg\n";
   const std::vector<double> speeds = parse_numbers("--tws", options.tws);
   const std::vector<double> angles = parse_numbers("--twa", options.twa);
@@ -27,7 +27,8 @@ void export_polar(const Scene&, const Options& options) {
   }
   for (const double tws : speeds) {
     for (const double twa : angles) {
-      const SteadySailing sailing = sail_steadily({}, metres_per_second(tws), radians(twa));
+      const SteadySailing sailing =
+          sail_steadily(scene.boat.parameters, metres_per_second(tws), radians(twa));
       text += fmt::format("{},{},{:.4f},{:.3f},{:.3f}\n", tws, twa, knots(sailing.speed),
                           degrees(sailing.heel), degrees(sailing.leeway));
     }
@@ -39,7 +40,7 @@ void export_boat(const Scene& start, const Options& options) {
   Scene scene = start;
   const DirectWater water = direct_water(scene);
   const EnvironmentWind wind(scene.environment);
-  Boat boat;
+  Boat boat(scene.boat.parameters);
   boat.start(scene.boat.position, radians(scene.boat.heading_deg), scene.boat.speed, water,
              scene.environment.elapsed());
   std::string text =
@@ -63,8 +64,8 @@ void export_boat(const Scene& start, const Options& options) {
     }
     text += fmt::format(",{:.2f}\n", f.resistance);
     if (step == steps) break;
-    scene.environment.advance(options.dt);
     boat.step(water, wind, scene.environment.elapsed(), options.dt);
+    scene.environment.advance(options.dt);
   }
   write_text(options.out, text);
 }

@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "engine/core/error.h"
+#include "shaders/shared/bindings.h"
 
 namespace offing {
 namespace {
@@ -343,7 +344,7 @@ BoatPass::Frame BoatPass::pose(const BoatView& view, const shared::FrameData& fr
 
 void BoatPass::draw(const Frame& frame) const {
   boat_block_.write(frame.boat);
-  boat_block_.bind_uniform(1);
+  boat_block_.bind_uniform(OFFING_BIND_BOAT);
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
@@ -361,7 +362,7 @@ void BoatPass::draw(const Frame& frame) const {
   for (std::size_t i = 0; i < cloth_.size(); ++i) {
     if (i != kFlag && !frame.hoisted) continue;
     cloth_blocks_[i].write(frame.cloth[i]);
-    cloth_blocks_[i].bind_uniform(2);
+    cloth_blocks_[i].bind_uniform(OFFING_BIND_CLOTH);
     cloth_[i].alpha.bind(0);
     cloth_[i].pattern.bind(1);
     elements(cloth_[i].first, cloth_[i].count);
@@ -390,15 +391,19 @@ void BoatPass::draw(const Frame& frame) const {
 }
 
 void BoatPass::add(FrameGraph& graph, const BoatView& view, const shared::FrameData& frame,
-                   TextureId hdr, TextureId depth) const {
+                   const LightAccess& light, TextureId hdr, TextureId depth) const {
   const glm::vec3 middle = view.position + view.orientation * kMiddle;
   const bool visible = sphere_in_view(frame.clip_from_relative, middle, kRadius);
   graph.add(
       "boat",
       [&](PassBuilder& pass) {
+        light.declare(pass);
         pass.modify(hdr).modify(depth).render_to({hdr}, depth).skip_if(!visible);
       },
-      [this, posed = pose(view, frame)](PassContext&) { draw(posed); });
+      [this, posed = pose(view, frame), bind = light.bind](PassContext& context) {
+        bind(context);
+        draw(posed);
+      });
 }
 
 TextureId BoatPass::add_mask(FrameGraph& graph, const BoatView& view,
@@ -413,7 +418,7 @@ TextureId BoatPass::add_mask(FrameGraph& graph, const BoatView& view,
         const float nothing[4] = {};
         glClearBufferfv(GL_COLOR, 0, nothing);
         boat_block_.write(boat);
-        boat_block_.bind_uniform(1);
+        boat_block_.bind_uniform(OFFING_BIND_BOAT);
         glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
         glEnable(GL_BLEND);
         glBlendEquation(GL_MAX);

@@ -11,6 +11,7 @@
 #include "engine/graph/frame_graph.h"
 #include "engine/io/image.h"
 #include "engine/io/model.h"
+#include "engine/ocean/ocean.h"
 #include "engine/shader/shader_library.h"
 #include "game/frame/boat_view.h"
 #include "game/frame/cloth.h"
@@ -41,9 +42,10 @@ class BoatPass {
   BoatPass(ShaderLibrary& shaders, const Model& model, const BoatTextures& textures);
 
   /// Into `hdr` (radiance × exposure) and `depth` (reversed), both kept where she is not. The frame
-  /// block must be bound at binding 0 when the graph runs, and be equal to `frame`.
-  void add(FrameGraph& graph, const BoatView& view, const shared::FrameData& frame, TextureId hdr,
-           TextureId depth) const;
+  /// block must be bound at binding 0 when the graph runs, and be equal to `frame`. `light`: the
+  /// probe at least.
+  void add(FrameGraph& graph, const BoatView& view, const shared::FrameData& frame,
+           const LightAccess& light, TextureId hdr, TextureId depth) const;
 
   /// Where no water may be seen, as a picture of the viewport's size: r is 1 / distance (1/m) to
   /// the hull's near side, g the distance (m) to its far side, both 0 where there is none. Water at

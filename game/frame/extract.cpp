@@ -88,6 +88,23 @@ bool sea_in_view(const glm::mat4& relative_from_clip, double camera_height) {
 
 }  // namespace
 
+Extractor::Extractor()
+    : light_(Starlight(load_stars(star_file()), load_milky_way(milky_way_file()))) {}
+
+SkyLight Extractor::paint(const Scene& scene, SkyLight light) {
+  const SkyLook& look = scene.sky;
+  const auto mode = static_cast<PaletteMode>(look.mode);
+  if (mode == PaletteMode::kOff) return light;
+  if (palette_name_ != look.palette) {
+    palette_ = load_palette(find_palette(look.palette));
+    palette_name_ = look.palette;
+  }
+  const Environment& environment = scene.environment;
+  const double hour = solar_hour(environment.utc_seconds(), environment.longitude_deg);
+  apply_palette(light, palette_.at(hour), mode, look.strength);
+  return light;
+}
+
 FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int number) {
   const Environment& environment = world.environment();
   const CameraPose& pose = world.camera().pose();
@@ -95,7 +112,8 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
   view.size = size;
   view.camera = pose.position;
   view.sea_time = world.drawn_time();
-  view.light = light_.update(environment.celestial(), environment.haze, pose.position.y);
+  view.light = paint(world.scene(),
+                     light_.update(environment.celestial(), environment.haze, pose.position.y));
   view.clouds = cloud_view(world, pose.position);
   view.boat = boat_view(world, pose.position, view.light);
 

@@ -1,12 +1,15 @@
 #pragma once
-#include "engine/clouds/clouds.h"
 #include "engine/clouds/gardner.h"
+#include "engine/clouds/clouds.h"
+#include <filesystem>
+
 #include "engine/gl/buffer.h"
 #include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
 #include "engine/ocean/ocean.h"
 #include "engine/post/tonemap.h"
 #include "engine/shader/shader_library.h"
+#include "engine/sky/probe.h"
 #include "engine/sky/sky.h"
 #include "game/frame/boat_pass.h"
 #include "game/frame/frame_view.h"
@@ -16,10 +19,13 @@ namespace offing {
 
 /// Everything that draws, and what it keeps from frame to frame.
 struct Techniques {
-  Techniques(ShaderLibrary& shaders, const Quality& quality);
+  /// `boat_model`: a glTF file; empty for R8's own.
+  Techniques(ShaderLibrary& shaders, const Quality& quality,
+             const std::filesystem::path& boat_model);
 
   Sky sky;
   Cloudscape clouds;
+  Probe probe;
   Ocean ocean;
   GardnerClouds gardner;
   BoatPass boat;

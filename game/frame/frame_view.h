@@ -2,8 +2,11 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "engine/clouds/cloud_field.h"
 #include "engine/clouds/gardner.h"
+#include <string>
+
+#include "engine/sky/palette.h"
+#include "engine/clouds/cloud_field.h"
 #include "engine/sky/sky_light.h"
 #include "game/frame/boat_view.h"
 #include "game/world/world.h"
@@ -27,11 +30,18 @@ struct FrameView {
 /// Makes FrameViews. Holds only what is worth keeping of the sky's light from frame to frame.
 class Extractor {
  public:
+  /// Reads the stars. Throws InputError where their files are not there or damaged.
+  Extractor();
+  /// See SkyLightModel::set_in_background(): for a window.
+  void set_in_background(bool in_background) { light_.set_in_background(in_background); }
   /// `dt` is the time since the last frame (s), `number` its number.
   FrameView extract(const World& world, glm::ivec2 size, double dt, int number);
 
  private:
+  SkyLight paint(const Scene& scene, SkyLight light);
   SkyLightModel light_;
+  std::string palette_name_;
+  Palette palette_;
 };
 
 }  // namespace offing

@@ -73,6 +73,16 @@ void draw_instruments(const World& world) {
   ImGui::TextDisabled("%s%s%s", boat.controls().auto_trim ? "auto trim  " : "",
                       boat.holding() ? "holding heading  " : "",
                       boat.controls().reef > 0 ? "reefed" : "");
+  if (boat.controls().motor != 0.0) {
+    ImGui::Text("motor %s %.0f %%", boat.controls().motor > 0.0 ? "ahead" : "astern",
+                100.0 * std::abs(boat.controls().motor));
+  }
+  constexpr double kWorthSaying = 0.02;  // m^3
+  const double shipped = state.deck_water + state.cockpit_water;
+  if (shipped > kWorthSaying) ImGui::Text("water on deck %.0f l", 1000.0 * shipped);
+  if (navigation.water_is_late) {
+    ImGui::TextColored({1.0f, 0.78f, 0.4f, 1.0f}, "no news of the sea: sailing on the last");
+  }
   ImGui::End();
 
   if (navigation.trouble != Trouble::kNone) {

@@ -21,13 +21,14 @@ const KeyHelp kKeyHelp[] = {
     {"R F", "jib sheet in, out"},
     {"T", "automatic trim on, off"},
     {"H", "hold this heading"},
+    {"G   B", "motor ahead   astern, 8 kW, for calms"},
     {"X", "tack or gybe"},
     {"1 2 3", "full sail, first reef, second reef"},
     {"C   V", "next camera   look astern"},
     {"mouse", "look round; wheel: nearer, farther"},
     {"[ ]", "less wind, more wind"},
     {", .", "less swell, more swell"},
-    {"P   O", "pause time   faster clock"},
+    {"P   O I", "pause time   faster clock, slower and backwards"},
     {"Space", "panels (frees the mouse), back to sailing"},
     {"F1  F5", "this help   reload shaders"},
     {"F10 F12", "hide everything   photo"},
@@ -55,6 +56,7 @@ Helm Controls::helm(const Input& input, double dt) {
   helm.toggle_auto_trim = input.pressed(Key::kT) || input.pressed(PadButton::kY);
   helm.toggle_heading_hold = input.pressed(Key::kH) || input.pressed(PadButton::kA);
   helm.tack_or_gybe = input.pressed(Key::kX) || input.pressed(PadButton::kX);
+  helm.motor = axis(input.held(Key::kB), input.held(Key::kG));
   if (input.pressed(Key::kOne)) helm.reef = 0;
   if (input.pressed(Key::kTwo)) helm.reef = 1;
   if (input.pressed(Key::kThree)) helm.reef = 2;
@@ -72,6 +74,7 @@ Commands Controls::commands(const Input& input, bool looking) {
   commands.look_astern = input.held(Key::kV);
   commands.toggle_pause = input.pressed(Key::kP);
   commands.faster = input.pressed(Key::kO);
+  commands.slower = input.pressed(Key::kI);
   commands.reload_shaders = input.pressed(Key::kF5);
   commands.photo = input.pressed(Key::kF12);
   commands.wind_change = axis(input.held(Key::kLeftBracket), input.held(Key::kRightBracket));

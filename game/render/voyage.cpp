@@ -8,8 +8,8 @@ Voyage::Voyage(const Options& options, glm::ivec2 size) : size_(size), step_(1.0
   gl::require_opengl_45();
   Scene scene = make_scene(options.scene, options.sets);
   if (options.seed) scene.seed = *options.seed;
-  renderer_ =
-      std::make_unique<Renderer>(quality_named(options.quality, gl::current_renderer().software));
+  renderer_ = std::make_unique<Renderer>(
+      quality_named(options.quality, gl::current_renderer().software), scene.boat.model);
   renderer_->set_sea(scene);
   renderer_->prime(scene.environment.elapsed());
   world_ = std::make_unique<World>(std::move(scene), renderer_->water());

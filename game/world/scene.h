@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "engine/clouds/cloud_parameters.h"
 #include "engine/clouds/gardner.h"
+#include "engine/clouds/cloud_parameters.h"
+#include "engine/boat/parameters.h"
 #include "engine/core/fields.h"
 #include "engine/environment/environment.h"
 #include "engine/ocean/sea_state.h"
+#include "engine/sky/palette.h"
 
 namespace offing {
 
@@ -18,6 +20,9 @@ struct BoatStart {
   double heading_deg = 90.0;  ///< degrees true
   double speed = 3.0;         ///< m/s through the water
   glm::dvec2 position{0.0};   ///< x east, z south, m
+  std::string file = "r8";    ///< a name in assets/boats/, or a TOML file
+  std::string model;          ///< a glTF file; empty: R8's own
+  R8Parameters parameters;    ///< what the file says
 };
 
 enum class CameraMode : int { kChase, kHelm, kMast, kFree, kOrbit };
@@ -42,6 +47,7 @@ struct Scene {
   CameraStart camera;
   GardnerParameters gardner;
   int cloud_method = static_cast<int>(CloudMethod::kVolumetric);
+  SkyLook sky;
   int seed = 1;
   double sea_time = 0.0;  ///< the sea's clock at the start, s
 

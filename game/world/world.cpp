@@ -8,7 +8,11 @@
 namespace offing {
 
 World::World(Scene scene, const WaterSurface& water)
-    : scene_(std::move(scene)), water_(water), wind_(scene_.environment), camera_(scene_.camera) {}
+    : scene_(std::move(scene)),
+      water_(water),
+      wind_(scene_.environment),
+      boat_(scene_.boat.parameters),
+      camera_(scene_.camera) {}
 
 void World::start() {
   boat_.start(scene_.boat.position, radians(scene_.boat.heading_deg), scene_.boat.speed, water_,
@@ -28,8 +32,8 @@ void World::update(const Helm& helm, double dt) {
     while (owed_ > kStep * (1.0 - 1e-9)) {
       before_ = boat_.state();
       time_before_ = scene_.environment.elapsed();
+      boat_.step(water_, wind_, time_before_, kStep);
       scene_.environment.advance(kStep);
-      boat_.step(water_, wind_, scene_.environment.elapsed(), kStep);
       owed_ -= kStep;
     }
     draw_between(std::max(owed_, 0.0) / kStep);
@@ -39,13 +43,29 @@ void World::update(const Helm& helm, double dt) {
 
 void World::apply(const Helm& helm, double dt) {
   constexpr double kSheetRate = 0.35;  // of the sheet's whole length per second
+  constexpr double kLeverRate = 0.8;   // of the motor's lever
   if (helm.toggle_auto_trim) boat_.controls().auto_trim = !boat_.controls().auto_trim;
   if (helm.toggle_heading_hold) boat_.hold_heading(!boat_.holding());
   if (helm.tack_or_gybe) boat_.tack_or_gybe();
   if (helm.reef >= 0) boat_.controls().reef = helm.reef;
   if (helm.mainsheet != 0.0) boat_.trim_main(helm.mainsheet * kSheetRate * dt);
   if (helm.jib_sheet != 0.0) boat_.trim_jib(helm.jib_sheet * kSheetRate * dt);
+  move_lever(kLeverRate * helm.motor * dt);
   boat_.steer(helm.rudder);
+}
+
+void World::move_lever(double delta) {
+  if (delta == 0.0) {
+    lever_held_ = false;
+    return;
+  }
+  double& lever = boat_.controls().motor;
+  const double wanted = std::clamp(lever + delta, -1.0, 1.0);
+  // It clicks in neutral: a hand that wants the other way lets go and pushes again.
+  if (lever_stopped_ && lever_held_) return;
+  lever_stopped_ = lever * wanted < 0.0 || (lever != 0.0 && wanted == 0.0);
+  lever_held_ = true;
+  lever = lever_stopped_ ? 0.0 : wanted;
 }
 
 void World::draw_between(double share) {

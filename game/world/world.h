@@ -12,6 +12,7 @@ struct Helm {
   double rudder = 0.0;     ///< -1 to port … 1 to starboard
   double mainsheet = 0.0;  ///< -1 haul in … 1 ease, per frame a rate
   double jib_sheet = 0.0;  ///< likewise
+  double motor = 0.0;      ///< -1 astern … 1 ahead, a rate: the lever stays where it is left
   bool toggle_auto_trim = false;
   bool toggle_heading_hold = false;
   bool tack_or_gybe = false;
@@ -51,6 +52,7 @@ class World {
 
  private:
   void apply(const Helm& helm, double dt);
+  void move_lever(double delta);
   void draw_between(double share);
 
   Scene scene_;
@@ -60,7 +62,8 @@ class World {
   Camera camera_;
   BoatState before_, drawn_boat_;
   double time_before_ = 0.0, drawn_time_ = 0.0;
-  double owed_ = 0.0;  ///< time passed and not yet simulated, s
+  bool lever_held_ = false, lever_stopped_ = false;  ///< of the motor
+  double owed_ = 0.0;                                ///< time passed and not yet simulated, s
 };
 
 }  // namespace offing

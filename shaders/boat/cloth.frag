@@ -2,6 +2,7 @@
 #include "shared/frame.h"
 #include "shared/boat.h"
 #include "shared/cloth.h"
+#include "sky/probe.glsl"
 #include "boat/light.glsl"
 
 layout(binding = 0) uniform sampler2D alpha_picture;

@@ -1,9 +1,6 @@
 // What falls on the boat: sun, moon, sky and the sea's bounce, with the shadows of the sails.
 
 const float kPi = 3.14159265358979323846;
-// Deep sea water sends back a few percent of what falls on it, blue-green (Jerlov 1976), and its
-// surface reflects about as much again of the sky near the horizon.
-const vec3 kSeaAlbedo = vec3(0.045, 0.070, 0.085);
 const float kSailTransmittance = 0.22;
 
 // The share of light from `direction` (boat frame) that passes the sails on its way to `p`.
@@ -32,13 +29,7 @@ float sail_shade(vec3 p, vec3 direction, int own) {
 }
 
 // Illuminance (lux) of a surface with this normal from sky and sea, without sun and moon.
-vec3 ambient_illuminance(vec3 normal) {
-  vec3 sky = frame.sky_illuminance.rgb;
-  vec3 down = sky + frame.sun_illuminance.rgb * max(frame.sun_direction.y, 0.0) +
-              frame.moon_illuminance.rgb * max(frame.moon_direction.y, 0.0);
-  float up = 0.5 + 0.5 * normal.y;
-  return sky * up + kSeaAlbedo * down * (1.0 - up);
-}
+vec3 ambient_illuminance(vec3 normal) { return probe_irradiance(normal); }
 
 // Light 0 is the sun, light 1 the moon. Only those that count are gone through: by day the moon does
 // not, by night the sun does not. (Bounds of a loop save work where a branch would not.)

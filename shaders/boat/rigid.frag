@@ -2,6 +2,7 @@
 #include "shared/frame.h"
 #include "shared/boat.h"
 #include "lib/ggx.glsl"
+#include "sky/probe.glsl"
 #include "boat/light.glsl"
 
 layout(binding = 0) uniform sampler2D base_picture;
@@ -47,12 +48,10 @@ void main() {
            reflected(n, v, l, diffuse, f0, alpha);
   }
 
-  // Sky and sea: diffuse from the hemisphere about the normal, glossy from the one about the mirror
-  // direction, which sharpens toward the horizon with the gloss.
+  // Sky and sea: diffuse from all round, glossy from about the mirror direction.
   sum += diffuse / kPi * ambient_illuminance(n);
   vec3 mirror = reflect(-v, n);
-  float horizon = clamp(mirror.y / (alpha + 0.1), -1.0, 1.0);
-  vec3 glossy = ambient_illuminance(vec3(0.0, horizon, 0.0)) / kPi;
+  vec3 glossy = probe_radiance(mirror, sqrt(alpha));
   float m = 1.0 - max(dot(n, v), 0.0);
   // Reflectance of a rough surface over all directions (S. Lagarde 2011, "Adopting a physically based
   // shading model").

@@ -11,12 +11,12 @@ layout(location = 0) uniform ivec2 corner;            // of this part, pixels
 layout(location = 1) uniform ivec2 steps;             // of the ray: first and number
 
 const int kViewSteps = 4096;
-const int kLightSteps = 192;
+const int kLightSteps = 96;  // each way
 const float kNothingLeft = 1.0e-4;
 
-// To the end of the clouds, in steps that grow as the square of the distance: fine near the place.
-float whole_depth_to_light(vec3 p, float footprint) {
-  vec3 toward = clouds.light_direction.xyz;
+// Optical depth to the end of the clouds, in steps that grow as the square of the distance: fine near
+// the place.
+float whole_depth(vec3 p, vec3 toward, float footprint) {
   CloudSpan span = cloud_span(p, toward);
   float length_ = min(span.far, REACH);
   float depth = 0.0;
@@ -55,8 +55,9 @@ void main() {
     for (int lit = 0; lit < (extinction > 0.0 ? 1 : 0); ++lit) {
       CloudPlace place = cloud_place(p);
       float depth = extinction * step_length * clouds.light.y;
-      vec3 source = cloud_source(ray, place, p, cloud_altitude(p), extinction,
-                                 whole_depth_to_light(p, footprint));
+      vec3 light = clouds.light_direction.xyz;
+      vec3 source = cloud_source(ray, place, p, cloud_altitude(p), whole_depth(p, light, footprint),
+                                 whole_depth(p, -light, footprint));
       float share = transmittance * cloud_step_light(depth);
       radiance += share * source;
       weight += share;

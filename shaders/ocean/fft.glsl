@@ -2,10 +2,10 @@
 // each (Cooley & Tukey 1965): with n = B n1 + n2 and k = k1 + A k2,
 //   X[k] = sum_n2 W_B^(n2 k2) W_N^(n2 k1) ( sum_n1 W_A^(n1 k1) x[n] ),   W_M = exp(+2 pi i / M).
 // A thread holds a whole short transform in registers; the exchange between the steps goes through
-// shared memory, four fields side by side. Only indices |n| < N/4 carry waves (the bands end at four
+// shared memory, all fields side by side. Only indices |n| < N/4 carry waves (the bands end at four
 // points per wave), so the first step knows half of its inputs to be zero.
 const int kPoints = RADIX_A * RADIX_B;
-const int kFields = 4;
+const int kFields = FIELDS;
 const int kThreads = kFields * (RADIX_A < RADIX_B ? RADIX_A : RADIX_B);
 const int kStored = kPoints / 2;  // indices with waves: 0 … N/4-1, then 3N/4 … N-1
 const int kPitch = RADIX_B + 1;   // one column more than needed keeps the banks apart

@@ -4,6 +4,7 @@
 layout(local_size_x = kThreads) in;
 
 layout(std430, binding = 2) readonly buffer Work { vec2 work[]; };  // [cascade][field][z][stored x]
+layout(std430, binding = 3) readonly buffer Grids { vec4 grids[]; };  // w: scale S of Dxz
 layout(binding = 0) uniform writeonly image2DArray displacement;    // Dx, h, Dz, Dxz
 layout(binding = 1) uniform writeonly image2DArray slopes;          // sx, sz, Dxx, Dzz
 
@@ -25,11 +26,13 @@ void main() {
     EACH_B(STORE)
   }
   barrier();
+  float scale = grids[cascade].w;
   for (int x = int(gl_LocalInvocationIndex); x < kPoints; x += kThreads) {
     int place = (x % RADIX_A) * kPitch + x / RADIX_A;
     const int field = RADIX_A * kPitch;
     ivec3 texel = ivec3(x, z, cascade);
-    imageStore(displacement, texel, vec4(exchange[place], exchange[field + place]));
+    vec2 sideways = exchange[place], height = exchange[field + place];
+    imageStore(displacement, texel, vec4(sideways.x, height.x, sideways.y, height.y / scale));
     imageStore(slopes, texel, vec4(exchange[2 * field + place], exchange[3 * field + place]));
   }
 }

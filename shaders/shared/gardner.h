@@ -6,8 +6,6 @@ namespace offing::shared {
 using glm::vec4;
 #endif
 
-#define OFFING_BIND_GARDNER 4
-
 struct GardnerData {
   vec4 light_direction;  // xyz: toward the brighter of sun and moon
   vec4 light_source;     // rgb: its lux above the air
@@ -23,5 +21,6 @@ struct GardnerData {
 static_assert(sizeof(GardnerData) == 8 * 16);
 }  // namespace offing::shared
 #else
+#include "shared/bindings.h"
 layout(std140, binding = OFFING_BIND_GARDNER) uniform GardnerBlock { GardnerData gardner; };
 #endif

@@ -56,6 +56,12 @@ expect_refusal 2 --seed "${draw[@]}" --seed minus
 expect_refusal 2 picture.bmp render --out picture.bmp "${small[@]}"
 expect_refusal 2 no/such/folder render --out no/such/folder/picture.png "${small[@]}"
 
+printf 'mass = 1950\nrig.mast_top = 0\n' > "$output/hulk.toml"
+expect_refusal 2 hulk.toml:2 "${draw[@]}" --set boat.file="$output/hulk.toml"
+expect_refusal 2 rig.mast_top export polar --out polar.csv --set boat.file="$output/hulk.toml"
+expect_refusal 2 boat.file "${draw[@]}" --set boat.file=r9
+expect_refusal 2 boat.glb "${draw[@]}" --set boat.model="$output/boat.glb"
+
 printf '[environment.wind]\nspeed = 5.0\nfrm = 30.0\n' > "$output/typo.toml"
 expect_refusal 2 typo.toml:3 "${draw[@]}" --scene "$output/typo.toml"
 printf '[environment.wind\n' > "$output/broken.toml"

@@ -10,6 +10,7 @@
 #include "engine/core/paths.h"
 #include "engine/graph/gl_device.h"
 #include "game/world/camera.h"
+#include "support/even_light.h"
 #include "support/gl_test.h"
 
 namespace offing {
@@ -42,6 +43,7 @@ class BoatPicture : public test::GlTest {
     const Model model = load_model(data_root() / "assets/models/r8/r8.glb", kBoatNodeNames, 80'000);
     pass_.emplace(*shaders_, model, load_boat_textures(data_root() / "assets/textures"));
     device_.emplace();
+    light_.emplace();
     graph_.emplace(*device_);
     hdr_ = gl::Texture("hdr", {.format = GL_RGBA16F, .width = kWidth, .height = kHeight});
     depth_ =
@@ -88,7 +90,7 @@ class BoatPicture : public test::GlTest {
           glClearBufferfv(GL_COLOR, 0, colour);
           glClearBufferfv(GL_DEPTH, 0, &far);
         });
-    pass_->add(*graph_, view, frame_, hdr, depth);
+    pass_->add(*graph_, view, frame_, light_->access(), hdr, depth);
     TextureId mask;
     if (with_mask) mask = pass_->add_mask(*graph_, view, frame_);
     graph_->add(
@@ -136,6 +138,7 @@ class BoatPicture : public test::GlTest {
   std::optional<BoatPass> pass_;
   std::optional<GlDevice> device_;
   std::optional<FrameGraph> graph_;
+  std::optional<test::EvenLight> light_;
   gl::Texture hdr_, depth_;
   gl::Buffer block_;
   shared::FrameData frame_{};

@@ -52,8 +52,7 @@ class SineSea final : public WaterSurface {
         const double c = wave.amplitude * std::cos(phase), s = wave.amplitude * std::sin(phase);
         height += c;
         slope -= s * wave.k;
-        const glm::dvec2 along = wave.k / glm::length(wave.k);
-        velocity += wave.w * glm::dvec3(c * along.x, s, c * along.y);
+        velocity += glm::dvec3(c * wave.drift.x, wave.w * s, c * wave.drift.y);
       }
       out[i] = {height, glm::normalize(glm::dvec3(-slope.x, 1.0, -slope.y)), velocity};
     }
@@ -62,12 +61,13 @@ class SineSea final : public WaterSurface {
  private:
   struct Wave {
     double amplitude, w, phase;
-    glm::dvec2 k;
+    glm::dvec2 k, drift;  // drift: w along k
   };
   void add(double amplitude, double length, double to, double phase) {
     const double k = kTau / length;
-    waves_.push_back(
-        {amplitude, std::sqrt(kGravity * k), phase, k * glm::dvec2(std::sin(to), -std::cos(to))});
+    const double w = std::sqrt(kGravity * k);
+    const glm::dvec2 along(std::sin(to), -std::cos(to));
+    waves_.push_back({amplitude, w, phase, k * along, w * along});
   }
   std::vector<Wave> waves_;
 };
