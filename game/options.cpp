@@ -82,7 +82,11 @@ void add_for_verb(CLI::App& app, Options& options) {
     app.add_option("--time", options.time, "the sea's clock, s")->check(CLI::Range(-1e12, 1e12));
     app.add_flag("--no-discs", options.no_discs, "sky: without sun, moon and stars");
     app.add_option("--points", options.points, "heights: CSV with x,z per line, m");
-    app.add_option("--method", options.method, "heights: readback (default) or direct");
+    app.add_option("--method", options.method,
+                   "heights: readback (default) or direct; clouds: march (default), "
+                   "reference or pathtrace");
+    app.add_option("--samples", options.samples, "clouds by pathtrace: paths a pixel (64)")
+        ->check(CLI::Range(1, 1000000));
     app.add_option("--tws", options.tws, "polar: true wind speeds, kn");
     app.add_option("--twa", options.twa, "polar: true wind angles, deg");
     app.add_option("--seconds", options.seconds, "boat: length of the run")

@@ -34,6 +34,7 @@ struct Options {
   bool no_discs = false;
   std::filesystem::path points;
   std::string method;  ///< empty: the default of what is exported
+  std::optional<int> samples;  ///< of pathtrace: paths a pixel
   std::string tws = "6,12,20", twa = "45,60,90,120,150";
   double seconds = 60.0;
   double dt = 1.0 / 120.0;

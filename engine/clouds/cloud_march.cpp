@@ -45,15 +45,38 @@ glm::ivec2 pixel_of_turn(glm::ivec2 cell, int turn) {
 }
 
 ShaderDefines march_defines(const CloudQuality& quality) {
-  return {{"STEPS", std::to_string(quality.steps)},
-          {"SKIPS", "24"},
-          {"FINEST", fmt::format("{:.4f}", quality.finest)},
-          {"GROWTH", fmt::format("{:.5f}", quality.growth)},
-          {"REACH", fmt::format("{:.1f}", quality.reach)}};
+  ShaderDefines defines = {{"STEPS", std::to_string(quality.steps)},
+                           {"SKIPS", "24"},
+                           {"FINEST", fmt::format("{:.4f}", quality.finest)},
+                           {"GROWTH", fmt::format("{:.5f}", quality.growth)},
+                           {"REACH", fmt::format("{:.1f}", quality.reach)},
+                           {"LEAST", fmt::format("{:.6f}", quality.least)},
+                           {"LONGEST_SKIP", quality.skipping ? "4.0" : "0.0"},
+                           {"SHADOW_MAP", quality.shadow_map ? "1" : "0"}};
+  if (!quality.curl) defines.emplace_back("CLOUDS_WITHOUT_CURL", "1");
+  return defines;
 }
 
 gl::Texture picture(const char* label, GLenum format, glm::ivec2 size) {
   return {label, {.format = format, .width = size.x, .height = size.y}};
+}
+
+/// The lowest row of pixels that shows anything above the sea's horizon, less a margin.
+int first_sky_row(const CloudCamera& camera) {
+  const glm::mat4 relative_from_clip = glm::inverse(camera.clip_from_relative);
+  const double dip = std::sqrt(2.0 * std::max(camera.eye.y, 0.0) / 6.36e6) + 0.01;
+  const auto sees_sky = [&](int row) {
+    for (const float x : {-1.0f, 1.0f}) {
+      const float y = 2.0f * static_cast<float>(row) / static_cast<float>(camera.size.y) - 1.0f;
+      const glm::vec4 at = relative_from_clip * glm::vec4(x, y, 1.0f, 1.0f);
+      if (glm::normalize(glm::vec3(at)).y > -dip) return true;
+    }
+    return false;
+  };
+  constexpr int kRows = 8;
+  int row = 0;
+  while (row + kRows < camera.size.y && !sees_sky(row + kRows)) row += kRows;
+  return row;
 }
 
 glm::vec3 forward_of(const CloudCamera& camera) {
@@ -66,18 +89,39 @@ glm::vec3 forward_of(const CloudCamera& camera) {
 CloudQuality CloudQuality::of(int quality) {
   switch (quality) {
     case 0:
-      return {{4, 4}, 36, 3, 45.0f, 0.011f, 70000.0f};
+      return {.cell = {4, 4},
+              .steps = 36,
+              .light_steps = 3,
+              .finest = 45.0f,
+              .growth = 0.011f,
+              .reach = 70000.0f,
+              .curl = false};
     case 1:
-      return {{4, 2}, 64, 4, 30.0f, 0.008f, 90000.0f};
+      return {.cell = {4, 2},
+              .steps = 64,
+              .light_steps = 4,
+              .finest = 30.0f,
+              .growth = 0.008f,
+              .reach = 90000.0f};
     case 2:
-      return {{2, 2}, 96, 5, 20.0f, 0.006f, 110000.0f};
+      return {.cell = {2, 2},
+              .steps = 96,
+              .light_steps = 5,
+              .finest = 20.0f,
+              .growth = 0.006f,
+              .reach = 110000.0f};
     default:
-      return {{1, 1}, 160, 6, 12.0f, 0.004f, 130000.0f};
+      return {.cell = {1, 1},
+              .steps = 160,
+              .light_steps = 6,
+              .finest = 12.0f,
+              .growth = 0.004f,
+              .reach = 130000.0f};
   }
 }
 
-CloudMarch::CloudMarch(ShaderLibrary& shaders, int quality)
-    : quality_(CloudQuality::of(quality)),
+CloudMarch::CloudMarch(ShaderLibrary& shaders, const CloudQuality& quality)
+    : quality_(quality),
       march_program_(shaders.program({"clouds/march.comp"}, march_defines(quality_))),
       bounds_program_(shaders.program({"clouds/bounds.comp"})),
       resolve_program_(shaders.program({"clouds/resolve.comp"})),
@@ -112,6 +156,7 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
                    glm::dot(forward_of(camera), forward_of(before_)) < kCutCosine ||
                    glm::length(carried - carried_before_) > kCutDistance;
   const bool whole = cut || turns == 1;
+  const int first_row = view.eye.y < field.lowest_base() ? first_sky_row(camera) : 0;
 
   // While nothing moves two rounds say all there is to say.
   const std::uint64_t shows =
@@ -148,7 +193,8 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
         pass.cache(march_memory_, key).skip_if(!visible);
       },
       [this, &field, &sky, &shadow, &target, &target_distance, ids, sky_ids, shadow_ids, cell,
-       chosen = whole ? glm::ivec2(0) : chosen, shift, light_steps](const PassContext& context) {
+       chosen = whole ? glm::ivec2(0) : chosen, shift, light_steps,
+       first_row](const PassContext& context) {
         sky.bind(context, sky_ids);
         field.bind(context, ids);
         shadow.bind(context, shadow_ids);
@@ -158,9 +204,11 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
         program.set(1, chosen);
         program.set(2, shift);
         program.set(3, light_steps);
+        const int first = first_row / cell.y;
+        program.set(4, first);
         target.bind_image(0, GL_WRITE_ONLY);
         target_distance.bind_image(1, GL_WRITE_ONLY);
-        glDispatchCompute(groups(target.width()), groups(target.height()), 1);
+        glDispatchCompute(groups(target.width()), groups(target.height() - first), 1);
       });
   if (!whole) {
     graph.add(
@@ -169,12 +217,13 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
           pass.read(seen).write(least).write(most);
           pass.cache(bounds_memory_, bounds_program_.generation()).skip_if(!visible);
         },
-        [this](PassContext&) {
+        [this, first = first_row / cell.y](PassContext&) {
           bounds_program_.use();
+          bounds_program_.program().set(0, first);
           seen_.bind(0);
           least_.bind_image(0, GL_WRITE_ONLY);
           most_.bind_image(1, GL_WRITE_ONLY);
-          glDispatchCompute(groups(least_.width()), groups(least_.height()), 1);
+          glDispatchCompute(groups(least_.width()), groups(least_.height() - first), 1);
         });
     const glm::dvec2 wind = carried - carried_before_;
     const glm::dvec3 moved = camera.eye - before_.eye - glm::dvec3(wind.x, 0.0, wind.y);
@@ -185,7 +234,7 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
           pass.read(seen).read(distance).read(least).read(most).read(history_id).write(result_id);
           pass.cache(resolve_memory_, key).skip_if(!visible);
         },
-        [this, &result, &history, chosen, moved, clip_before](PassContext&) {
+        [this, &result, &history, chosen, moved, clip_before, first_row](PassContext&) {
           resolve_program_.use();
           const gl::Program& program = resolve_program_.program();
           program.set(0, quality_.cell);
@@ -193,6 +242,7 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
           program.set(2, glm::vec3(moved));
           program.set(3, clip_before);
           program.set(7, 0.65f);
+          program.set(8, first_row);
           seen_.bind(0);
           distance_.bind(1);
           least_.bind(2);
@@ -202,7 +252,7 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
           seen_.bind(5);
           linear_.bind(5);
           result.bind_image(0, GL_WRITE_ONLY);
-          glDispatchCompute(groups(result.width()), groups(result.height()), 1);
+          glDispatchCompute(groups(result.width()), groups(result.height() - first_row), 1);
           glBindSampler(4, 0);
           glBindSampler(5, 0);
         });

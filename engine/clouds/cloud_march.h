@@ -17,6 +17,11 @@ struct CloudQuality {
   float finest = 45.0f;    ///< shortest step, m
   float growth = 0.011f;   ///< step over distance
   float reach = 70000.0f;  ///< m
+  bool curl = true;        ///< edges drawn out by the wind
+  // Switched off only to measure what they buy.
+  float least = 0.008f;    ///< transmittance at which a ray ends; 0: never before its end
+  bool skipping = true;    ///< longer steps where the field says that there is no cloud
+  bool shadow_map = true;  ///< light from beyond the light steps
   /// 0 low, 1 medium, 2 high, 3 ultra.
   static CloudQuality of(int quality);
 };
@@ -33,7 +38,7 @@ struct CloudCamera {
 /// frames before.
 class CloudMarch {
  public:
-  CloudMarch(ShaderLibrary& shaders, int quality);
+  CloudMarch(ShaderLibrary& shaders, const CloudQuality& quality);
 
   /// Adds clouds.march, clouds.bounds and clouds.resolve; returns radiance × exposure and
   /// transmittance (RGBA16F) at the size of the picture. After a cut, and in the first frame, every
@@ -47,6 +52,8 @@ class CloudMarch {
                      TextureId depth, bool visible, bool from_below);
 
   const CloudQuality& quality() const { return quality_; }
+  /// Where the light of each pixel comes from (m), of the last frame that marched every pixel.
+  const gl::Texture& distances() const { return whole_distance_; }
 
  private:
   void resize(glm::ivec2 size);

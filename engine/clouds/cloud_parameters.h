@@ -23,7 +23,7 @@ struct CloudParameters {
   double box_size = 30.0;  ///< side of the box, km
   double edge_fade = 2.0;  ///< within this of the container's sides clouds thin out, km
 
-  double shape_weights[4] = {0.55, 0.25, 0.13, 0.07};  ///< of the body's noise, by channel
+  double shape_weights[4] = {0.38, 0.27, 0.20, 0.15};  ///< of the body's noise, by channel
   glm::dvec3 detail_weights{0.6, 0.3, 0.1};            ///< of the edges' noise
   double roughness = 1.0;                              ///< strength of the body's noise
   double erosion = 1.0;                                ///< strength of the edges' noise

@@ -3,7 +3,7 @@
 namespace offing {
 
 Cloudscape::Cloudscape(ShaderLibrary& shaders, int quality)
-    : field_(shaders), shadow_(shaders), march_(shaders, quality) {}
+    : field_(shaders), shadow_(shaders), march_(shaders, CloudQuality::of(quality)) {}
 
 CloudscapeIds Cloudscape::add_field(FrameGraph& graph, const CloudView& view,
                                     const SkyLight& light) {

@@ -5,6 +5,7 @@ namespace offing {
 
 /// One function per benchmark; each prints its report or writes options.json, and draws
 /// options.plot where it is given and the benchmark has curves.
+void bench_clouds(const Options& options);
 void bench_boat(const Options& options);
 void bench_frame(const Options& options);
 void bench_probe(const Options& options);

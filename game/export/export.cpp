@@ -11,8 +11,9 @@ namespace offing {
 
 void run_export(const Options& options) {
   static const std::map<std::string, void (*)(const Scene&, const Options&)> exports = {
-      {"boat", export_boat},   {"ephemeris", export_ephemeris}, {"heights", export_heights},
-      {"ocean", export_ocean}, {"polar", export_polar},         {"sky", export_sky},
+      {"boat", export_boat},       {"clouds", export_clouds}, {"ephemeris", export_ephemeris},
+      {"heights", export_heights}, {"ocean", export_ocean},   {"polar", export_polar},
+      {"sky", export_sky},
   };
   const auto found = exports.find(options.what);
   if (found == exports.end()) {

@@ -35,24 +35,6 @@ BoatView boat_view(const World& world, glm::dvec3 camera, const SkyLight& light)
   return view;
 }
 
-GardnerView gardner_view(const World& world, glm::dvec3 camera, bool sky_visible) {
-  const Scene& scene = world.scene();
-  const Environment& environment = world.environment();
-  CloudView air;  // for its wind aloft
-  air.drift = environment.air_drift();
-  GardnerView view;
-  view.weather = environment.clouds;
-  view.low_carried = cloud_carried(air, view.base);
-  view.high_carried = cloud_carried(air, 8200.0);
-  view.wind_to = environment.wind_to();
-  view.eye = camera;
-  view.ellipsoids = scene.cloud_method == static_cast<int>(CloudMethod::kEllipsoids);
-  view.sky_visible = sky_visible;
-  view.seed = static_cast<std::uint64_t>(scene.seed);
-  view.parameters = scene.gardner;
-  return view;
-}
-
 CloudView cloud_view(const World& world, glm::dvec3 camera) {
   const Environment& environment = world.environment();
   CloudView view;
@@ -64,6 +46,26 @@ CloudView cloud_view(const World& world, glm::dvec3 camera) {
   view.eye = camera;
   view.seed = static_cast<std::uint64_t>(world.scene().seed);
   view.parameters = world.scene().clouds;
+  return view;
+}
+
+/// The clouds that are drawn as Gardner did, which the volumetric ones then leave out.
+GardnerView gardner_view(const World& world, CloudView& clouds, bool sky_visible) {
+  constexpr double kHigh = 8200.0;  // m
+  const Scene& scene = world.scene();
+  GardnerView view;
+  view.weather = clouds.weather;
+  view.base = clouds.parameters.base;
+  view.low_carried = cloud_carried(clouds, view.base);
+  view.high_carried = cloud_carried(clouds, kHigh);
+  view.wind_to = clouds.wind_to;
+  view.eye = clouds.eye;
+  view.ellipsoids = scene.cloud_method == static_cast<int>(CloudMethod::kEllipsoids);
+  view.sky_visible = sky_visible;
+  view.seed = clouds.seed;
+  view.parameters = scene.gardner;
+  clouds.weather.high = 0.0;
+  if (view.ellipsoids) clouds.weather.cover = 0.0;
   return view;
 }
 
@@ -135,7 +137,7 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
 
   view.sea_visible = sea_in_view(frame.relative_from_clip, pose.position.y);
   view.sky_visible = sky_in_view(frame.relative_from_clip, pose.position.y);
-  view.gardner = gardner_view(world, pose.position, view.sky_visible);
+  view.gardner = gardner_view(world, view.clouds, view.sky_visible);
   return view;
 }
 

@@ -65,8 +65,8 @@ CloudCamera cloud_camera(const FrameView& view) {
 Techniques::Techniques(ShaderLibrary& shaders, const Quality& quality,
                        const std::filesystem::path& boat_model)
     : sky(shaders, quality.level),
-      clouds(shaders, quality.level),
       probe(shaders, ProbeSettings::of_quality(quality.level)),
+      clouds(shaders, quality.level),
       ocean(shaders, OceanSettings::of_quality(quality.level)),
       gardner(shaders),
       boat(shaders,
@@ -101,7 +101,7 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   t.sky.add_background(graph, view.light, sky, hdr, depth, view.sky_visible);
   t.gardner.add(graph, view.gardner, view.light, t.sky, sky, hdr, depth);
   t.clouds.add_picture(graph, clouds, view.clouds, cloud_camera(view), t.sky, sky, hdr, depth,
-                       view.sky_visible && !view.gardner.ellipsoids);
+                       view.sky_visible);
 
   const BufferId exposure = t.exposure.add(graph, hdr,
                                            {.exposure = view.light.exposure,

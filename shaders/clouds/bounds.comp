@@ -3,9 +3,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D seen;
 layout(rgba16f, binding = 0) uniform writeonly image2D least;
 layout(rgba16f, binding = 1) uniform writeonly image2D most;
+layout(location = 0) uniform int first_row;
 
 void main() {
-  ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 texel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, first_row);
   ivec2 size = imageSize(least);
   if (any(greaterThanEqual(texel, size))) return;
   vec4 low = vec4(1.0e9), high = vec4(-1.0e9);

@@ -42,11 +42,21 @@ CloudColumn cloud_column(vec2 plan) {
 // A place in its column: all that needs no noise.
 struct CloudPlace {
   CloudKind kind;
+  float storm;
+  float base;     // m over the sea
   float x;        // height within the cloud, 0 … 1
   float inside;   // > 0 inside an edge without noise, in units of the kind's `full`
   float freedom;  // how far the body's noise moves that edge
   vec2 plan;
 };
+
+CloudPlace cloud_place_in(CloudPlace place, float excess, float altitude) {
+  place.x = (altitude - place.base) / (place.kind.thickness * clouds.form.w);
+  place.inside = cloud_strength(place.kind, excess) - clouds.form.x -
+                 cloud_outline(place.kind, place.storm, place.x);
+  place.freedom = place.kind.roughness * clouds.form.y * cloud_freedom(place.x);
+  return place;
+}
 
 CloudPlace cloud_place(vec3 p) {
   CloudPlace place;
@@ -54,12 +64,17 @@ CloudPlace cloud_place(vec3 p) {
   place.plan = cloud_unsheared(p, altitude);
   CloudColumn column = cloud_column(place.plan);
   place.kind = cloud_kind(column.type, column.rain);
-  place.x = (altitude - column.base) / (place.kind.thickness * clouds.form.w);
-  float storm = column.rain * column.rain * column.type;
-  place.inside = cloud_strength(place.kind, column.excess) - clouds.form.x -
-                 cloud_outline(place.kind, storm, place.x);
-  place.freedom = place.kind.roughness * clouds.form.y * cloud_freedom(place.x);
-  return place;
+  place.storm = column.rain * column.rain * column.type;
+  place.base = column.base;
+  return cloud_place_in(place, column.excess, altitude);
+}
+
+// The same for a place not far from another: of the same kind, with a base as high.
+CloudPlace cloud_place_beside(CloudPlace place, vec3 p) {
+  float altitude = cloud_altitude(p);
+  place.plan = cloud_unsheared(p, altitude);
+  float coverage = textureLod(cloud_weather, cloud_weather_at(place.plan), 0.0).r;
+  return cloud_place_in(place, coverage - clouds.weather.w, altitude);
 }
 
 // The most that noise can add: where this is not positive there is no cloud.
@@ -77,10 +92,13 @@ float cloud_body(CloudPlace place, vec3 p, float footprint) {
 }
 
 // What the edges' noise takes away from `inside`: nothing in the middle of a cell of noise.
-const float kCloudErosion = 0.16;
+const float kCloudErosion = 0.30;
 float cloud_erosion(CloudPlace place, vec3 p, float footprint) {
+  vec2 plan = place.plan;
+#ifndef CLOUDS_WITHOUT_CURL
   vec2 curl = textureLod(cloud_curl_noise, clouds.curl.xy + place.plan * clouds.curl.z, 0.0).xy;
-  vec2 plan = place.plan + curl * (clouds.curl.w * (1.0 - clamp(4.0 * place.x, 0.0, 0.8)));
+  plan += curl * (clouds.curl.w * (1.0 - clamp(4.0 * place.x, 0.0, 0.8)));
+#endif
   float lod = log2(max(footprint * clouds.detail.w * kCloudDetailTexels, 1.0));
   float noise = textureLod(cloud_detail_noise,
                            clouds.detail.xyz + vec3(plan.x, p.y, plan.y) * clouds.detail.w, lod).r;

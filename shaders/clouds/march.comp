@@ -9,6 +9,7 @@ layout(location = 0) uniform ivec2 cell;    // pixels
 layout(location = 1) uniform ivec2 chosen;  // of the cell
 layout(location = 2) uniform float shift;   // 0 … 1, another one every round
 layout(location = 3) uniform int light_steps;
+layout(location = 4) uniform int first_row;  // below it there is only sea
 
 // Interleaved gradient noise (Jimenez 2014): any few neighbours are spread evenly.
 float spread_noise(vec2 pixel) {
@@ -16,7 +17,7 @@ float spread_noise(vec2 pixel) {
 }
 
 void main() {
-  ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 texel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, first_row);
   if (any(greaterThanEqual(texel, imageSize(seen)))) return;
   vec2 pixel = vec2(texel * cell + chosen) + 0.5;
   vec4 near = frame.relative_from_clip * vec4(2.0 * pixel * frame.viewport.zw - 1.0, 1.0, 1.0);

@@ -6,8 +6,18 @@
 #include "clouds/air.glsl"
 #include "clouds/high.glsl"
 
-// The includer's quality: STEPS, LIGHT_STEPS, FINEST (m), GROWTH (m per m of distance), REACH (m).
-const float kLeast = 0.008;  // transmittance at which a ray has seen all that shows
+// The includer's quality: STEPS, SKIPS, FINEST (m), GROWTH (m per m of distance), REACH (m). What follows
+// is only ever changed to measure what it buys.
+#ifndef LEAST
+#define LEAST 0.008
+#endif
+#ifndef LONGEST_SKIP  // 0: no longer steps through empty air
+#define LONGEST_SKIP 4.0
+#endif
+#ifndef SHADOW_MAP  // 0: light steps alone
+#define SHADOW_MAP 1
+#endif
+const float kLeast = LEAST;  // transmittance at which a ray has seen all that shows
 
 struct CloudSight {
   vec3 radiance;  // cd/m^2
@@ -52,43 +62,58 @@ CloudRay cloud_ray(vec3 direction, float near) {
 }
 
 // Optical depth from a place toward the light: some steps that double, and the shadow map beyond.
-float depth_to_light(vec3 p, float footprint, int steps) {
+float depth_to_light(CloudPlace from, vec3 p, float footprint, int steps) {
   vec3 toward = clouds.light_direction.xyz;
   float step_length = 30.0 * clouds.form.w;
   float along = 0.0;
   float depth = 0.0;
   for (int i = 0; i < steps; ++i) {
     vec3 q = p + toward * (along + 0.6 * step_length);
-    CloudPlace place = cloud_place(q);
+    CloudPlace place = cloud_place_beside(from, q);
     float inside = cloud_body(place, q, max(footprint, 0.5 * step_length)) - 0.5 * kCloudErosion * clouds.form.z;
     depth += step_length * cloud_extinction_from(place, inside);
     along += step_length;
     step_length *= 2.0;
   }
-  for (int i = 0; i < min(steps, 1); ++i) depth += cloud_shadow_depth(p + toward * along);
+  for (int i = 0; i < min(steps, SHADOW_MAP); ++i) depth += cloud_shadow_depth(p + toward * along);
   return depth;
 }
 
+// Optical depth between a place and the far side of its cloud, away from the light: as far as one sample
+// can tell.
+float depth_beyond(CloudPlace from, float inside, vec3 p) {
+  float look = 140.0 * clouds.form.w;
+  vec3 q = p - look * clouds.light_direction.xyz;
+  CloudPlace place = cloud_place_beside(from, q);
+  float there = cloud_body(place, q, look) - 0.5 * kCloudErosion * clouds.form.z;
+  float rest = look * (cloud_mean_ramp(inside, there, kCloudEdgeWidth) + 3.0 * clamp(there, 0.0, 1.0));
+  return clouds.layer.z * from.kind.extinction * rest;
+}
+
 // Light leaving a place toward the eye, per unit of optical depth.
-vec3 cloud_source(CloudRay ray, CloudPlace place, vec3 p, float altitude, float extinction, float to_light) {
+vec3 cloud_source(CloudRay ray, CloudPlace place, vec3 p, float altitude, float to_light, float beyond) {
   float x = clamp(place.x, 0.0, 1.0);
   vec3 light = mix(ray.low_light, ray.high_light,
                    clamp((altitude - clouds.layer.x) / (clouds.layer.y - clouds.layer.x), 0.0, 1.0));
   float depth = to_light * clouds.light.x;
   float scaled = ray.similarity * depth;
-  // What lies beyond, away from the light, lets light out: bases are lit through, not black.
+  float mu = mix(clamp(clouds.light_direction.y, 0.12, 1.0), 1.0, clamp(place.kind.roughness, 0.0, 1.0));
+  // Scaled depths down to the base and up to the top.
   float full = clouds.layer.z * place.kind.extinction * ray.similarity;
   float deep = clamp(place.inside, 0.05, 1.0);
-  float beyond = full * x * place.kind.thickness * clouds.form.w * deep;
-  float mu = mix(clamp(clouds.light_direction.y, 0.12, 1.0), 1.0, place.kind.roughness);
-  CloudDiffuse diffuse = cloud_diffuse(scaled * mu, scaled * mu + beyond, mu);
+  float below = full * x * place.kind.thickness * clouds.form.w * deep;
+  float above = full * (1.0 - x) * place.kind.thickness * clouds.form.w * deep;
+  // Across the light's way it leaks out of base and top: a parabola between surfaces 2/3 beyond them.
+  float middle = 0.5 * (below + above) + 2.0 / 3.0;
+  float kept = (below + 2.0 / 3.0) * (above + 2.0 / 3.0) / (middle * middle);
+  kept = mix(kept, 1.0, clouds.light_direction.y * clouds.light_direction.y);
+  CloudDiffuse diffuse = cloud_diffuse(scaled * mu, (scaled + ray.similarity * beyond) * mu, mu);
   float powder = mix(1.0, 1.0 - exp(-2.0 * depth), clouds.ambient.x * clamp(0.5 - 0.5 * ray.cosine, 0.0, 1.0));
   float beam = cloud_beam(ray.phases, depth, scaled) * powder;
-  float scattered = max(diffuse.mean + (1.0 - ray.similarity) * diffuse.flow * ray.cosine, 0.0);
+  float scattered = kept * max(diffuse.mean + (1.0 - ray.similarity) * diffuse.flow * ray.cosine, 0.0);
   vec3 sunlit = light * max(beam + scattered, clouds.light.z * 0.25 / kPhasePi);
-  // From sky and sea, less what the cloud itself keeps off (1/(1 + 3/4 t): Eddington's slab).
-  float above = full * (1.0 - x) * place.kind.thickness * clouds.form.w * deep;
-  vec3 ambient = 0.5 * (ray.from_above / (1.0 + 0.75 * above) + ray.from_below / (1.0 + 0.75 * beyond));
+  // From sky and sea, less what the cloud keeps off (1/(1 + 3/4 t): Eddington's slab).
+  vec3 ambient = 0.5 * (ray.from_above / (1.0 + 0.75 * above) + ray.from_below / (1.0 + 0.75 * below));
   // Near an edge the sky shows from the side as well.
   ambient += 0.22 * ray.from_above * (1.0 - clamp(place.inside, 0.0, 1.0));
   return (sunlit + ambient) * clouds.light.w;
@@ -104,7 +129,7 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
   float t = near;
   float before = -1.0;      // the signed field at the last sample
   float step_length = max(FINEST, GROWTH * t) * clouds.march.x;
-  t += jitter * step_length;
+  t += 0.4 * jitter * step_length;
   for (int i = 0; i < STEPS; ++i) {
     CloudPlace place;
     vec3 p;
@@ -117,7 +142,8 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
       if (most > 0.0 || t > far) break;
       before = most;
       step_length = max(FINEST, GROWTH * t) * clouds.march.x;
-      step_length = clamp(-most * 260.0 * clouds.form.w, step_length, 4.0 * step_length + 150.0);
+      step_length = clamp(-most * 260.0 * clouds.form.w, step_length,
+                          max(LONGEST_SKIP * step_length + 37.5 * LONGEST_SKIP, step_length));
       t += step_length;
     }
     if (t > far) break;
@@ -132,8 +158,8 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
     before = inside;
     float depth = extinction * step_length * clouds.light.y;
     float altitude = cloud_altitude(p);
-    float to_light = depth_to_light(p, footprint, depth > 1.0e-5 ? light_steps : 0);
-    vec3 source = cloud_source(ray, place, p, altitude, extinction, to_light);
+    float to_light = depth_to_light(place, p, footprint, depth > 1.0e-5 ? light_steps : 0);
+    vec3 source = cloud_source(ray, place, p, altitude, to_light, depth_beyond(place, inside, p));
     float share = sight.transmittance * cloud_step_light(depth);
     sight.radiance += share * source;
     weight += share;
@@ -143,7 +169,8 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
     // In cloud as fine as one can see; outside an edge as far as the field allows.
     float base_step = max(FINEST, GROWTH * t) * clouds.march.x;
     step_length = inside > 0.0 ? base_step * (1.0 + 1.5 * (1.0 - sight.transmittance))
-                               : clamp(-inside * 200.0 * clouds.form.w, base_step, 4.0 * base_step);
+                               : clamp(-inside * 200.0 * clouds.form.w, base_step,
+                                       max(LONGEST_SKIP, 1.0) * base_step);
     t += step_length;
   }
   // A ray that has seen all that shows has seen it all.

@@ -15,9 +15,10 @@ layout(location = 1) uniform ivec2 chosen;
 layout(location = 2) uniform vec3 moved;  // add to a place to have it as it lay before the last frame
 layout(location = 3) uniform mat4 clip_before;
 layout(location = 7) uniform float fresh;  // weight of a new value
+layout(location = 8) uniform int first_row;  // below it there is only sea
 
 void main() {
-  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, first_row);
   ivec2 size = imageSize(result);
   if (any(greaterThanEqual(pixel, size))) return;
   ivec2 cells = textureSize(seen, 0);
@@ -29,16 +30,20 @@ void main() {
   vec4 clip = clip_before * vec4(before, 1.0);
   vec2 at_before = (0.5 + 0.5 * clip.xy / max(clip.w, 1.0e-6)) * vec2(size);
   bool known = clip.w > 0.0 && all(greaterThan(at_before, vec2(0.0))) && all(lessThan(at_before, vec2(size)));
-  // Less than half a pixel is no reason to blur: the pixel's own turn comes soon.
+  // Less than half a pixel is no reason to blur: the pixel's own turn comes soon. (Loops that run once or
+  // not at all in place of branches, of which a CPU renderer runs both sides.)
   vec2 way = at_before - at;
-  at_before = dot(way, way) < 0.2 ? at : at_before;
-  vec4 old = textureLod(history, at_before * frame.viewport.zw, 0.0);
+  bool still = dot(way, way) < 0.2;
+  vec4 old = vec4(0.0);
+  for (int i = 0; i < int(known && still); ++i) old = texelFetch(history, pixel, 0);
+  for (int i = 0; i < int(known && !still); ++i) old = textureLod(history, at_before * frame.viewport.zw, 0.0);
   // Where this round's samples lie, between texels.
-  vec4 around = textureLod(seen_linear, (at - vec2(chosen) - 0.5 + 0.5 * vec2(cell)) / vec2(cell * cells), 0.0);
+  for (int i = 0; i < int(!known); ++i) {
+    old = textureLod(seen_linear, (at - vec2(chosen) - 0.5 + 0.5 * vec2(cell)) / vec2(cell * cells), 0.0);
+  }
   vec4 low = texelFetch(least, texel, 0), high = texelFetch(most, texel, 0);
   vec4 slack = 0.35 * (high - low);
-  old = clamp(old, low - slack, high + slack);
-  vec4 value = known ? old : around;
+  vec4 value = clamp(old, low - slack, high + slack);
   bool own = all(equal(pixel - texel * cell, chosen));
   value = own ? mix(value, texelFetch(seen, texel, 0), known ? fresh : 1.0) : value;
   imageStore(result, pixel, value);

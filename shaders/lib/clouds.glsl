@@ -17,7 +17,7 @@ struct CloudKind {
   float roughness;   // how far the body's noise moves its edge, in units of `full`
   float bottom;      // height x over which the base closes
   float round_from;  // height x from which on it narrows
-  float round_power;
+  float round_sharply;  // 0: narrows with the square of the height from there, 1: with its power 1.5
   float extinction;  // over that of a dense cumulus (stratus .04–.06 /m, cumulus .05–.12 /m measured)
 };
 
@@ -30,12 +30,12 @@ const float kStormThickness = 8000.0;
 CloudKind cloud_kind(float type, float rain) {
   CloudKind kind;
   float storm = rain * rain * type;
-  kind.thickness = mix(cloud_blend(260.0, 520.0, 1500.0, type), kStormThickness, storm);
+  kind.thickness = mix(cloud_blend(260.0, 520.0, 1300.0, type), kStormThickness, storm);
   kind.full = mix(cloud_blend(0.12, 0.20, 0.34, type), 0.30, storm);
-  kind.roughness = mix(cloud_blend(0.45, 0.80, 0.95, type), 0.55, storm);
+  kind.roughness = mix(cloud_blend(0.55, 1.0, 1.35, type), 0.8, storm);
   kind.bottom = mix(cloud_blend(0.25, 0.16, 0.05, type), 0.012, storm);
   kind.round_from = cloud_blend(0.55, 0.30, 0.04, type);
-  kind.round_power = cloud_blend(2.5, 1.7, 1.15, type);
+  kind.round_sharply = cloud_blend(0.0, 0.3, 0.9, type);
   kind.extinction = cloud_blend(0.6, 0.75, 1.0, type) * (1.0 + 0.4 * rain);
   return kind;
 }
@@ -45,7 +45,7 @@ CloudKind cloud_kind(float type, float rain) {
 float cloud_outline(CloudKind kind, float storm, float x) {
   float below = max(1.0 - x / kind.bottom, 0.0);
   float up = max((x - kind.round_from) / (1.0 - kind.round_from), 0.0);
-  float narrowing = pow(up, kind.round_power);
+  float narrowing = up * mix(up, sqrt(up), kind.round_sharply);
   narrowing *= 1.0 - 0.85 * storm * smoothstep(0.62, 0.80, x);
   float lid = max((x - 0.9) / 0.1, 0.0);
   return below * below + narrowing + 0.5 * lid * lid;

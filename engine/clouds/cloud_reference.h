@@ -1,0 +1,45 @@
+#pragma once
+#include <glm/vec2.hpp>
+
+#include <functional>
+#include <vector>
+
+#include "engine/clouds/cloud_field.h"
+#include "engine/clouds/cloud_shadow.h"
+#include "engine/sky/sky.h"
+
+namespace offing {
+
+/// Clouds alone, as a camera sees them: four values a pixel, bottom row first.
+struct CloudSightings {
+  glm::ivec2 size{0};
+  std::vector<glm::vec4> light;  ///< radiance (cd/m², with the air before the cloud), transmittance
+  std::vector<float> distance;   ///< where the light comes from, in the mean (m); 0: no cloud
+};
+
+/// The slow, trusted ways of drawing the clouds. Both wait, and give the driver many small pieces
+/// of work, so that no watchdog ends them.
+class CloudReference {
+ public:
+  explicit CloudReference(ShaderLibrary& shaders);
+
+  /// 4096 even steps on every ray, the light marched to the end of the clouds at each (see
+  /// clouds/reference.comp). FrameData must be bound.
+  CloudSightings march(FrameGraph& graph, const CloudField& field, const CloudIds& ids,
+                       const Sky& sky, const SkyIds& sky_ids, const CloudShadow& shadow,
+                       const CloudShadowIds& shadow_ids, glm::ivec2 size) const;
+
+  /// All orders of scattering by path tracing (see clouds/pathtrace.comp): the mean of `samples`
+  /// paths a pixel, the same for the same count. `progress`, where given, is called after each
+  /// round with the samples done; false ends early.
+  CloudSightings path_trace(FrameGraph& graph, const CloudField& field, const CloudIds& ids,
+                            const Sky& sky, const SkyIds& sky_ids, const CloudShadow& shadow,
+                            const CloudShadowIds& shadow_ids, glm::ivec2 size, int samples,
+                            const std::function<bool(int)>& progress = {}) const;
+
+ private:
+  const ShaderProgram& march_program_;
+  const ShaderProgram& path_program_;
+};
+
+}  // namespace offing

@@ -1,0 +1,143 @@
+// The clouds with all orders of scattering: what every faster way of drawing them is measured against.
+// Woodcock's delta tracking along the paths and ratio tracking toward the light (Novak, Georgiev, Hanika &
+// Jarosz, "Monte Carlo Methods for Volumetric Light Transport Simulation", Eurographics 2018): no steps,
+// no approximation of the light in a cloud, only noise. Sums samples of a part of the picture.
+#include "shared/frame.h"
+#include "clouds/march.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba32f, binding = 0) uniform image2D sum;            // radiance (cd/m^2); paths that met no cloud
+layout(rg32f, binding = 1) uniform image2D sum_of_distance;  // m, of the paths that met one; their number
+layout(location = 0) uniform ivec2 corner;                   // of the part, pixels
+layout(location = 1) uniform ivec2 samples;                  // number of the first; how many
+
+const int kMostSteps = 100000;  // of one tracked segment: a guard, never reached
+const int kMostTurns = 1000;
+const int kTurnsBeforeRoulette = 40;
+const float kSurvival = 0.97;
+
+uint random_state;
+
+// PCG's output function over a counter (Jarzynski & Olano 2020).
+float random_share() {
+  random_state = random_state * 747796405u + 2891336453u;
+  uint word = ((random_state >> ((random_state >> 28) + 4u)) ^ random_state) * 277803737u;
+  return float(((word >> 22) ^ word) >> 8) * (1.0 / 16777216.0);
+}
+
+// The most extinction anywhere (1/m): that of a dense cumulus, or more where it rains.
+float majorant() { return clouds.layer.z * 1.4; }
+
+float extinction_at(vec3 p) { return cloud_extinction(p, 0.0); }
+
+// Where a path from `origin` next meets a droplet; negative where it leaves the clouds.
+float next_droplet(vec3 origin, vec3 direction) {
+  CloudSpan span = cloud_span(origin, direction);
+  float per_metre = majorant();
+  float t = span.near;
+  for (int i = 0; i < kMostSteps; ++i) {
+    t -= log(1.0 - random_share()) / per_metre;
+    if (t >= span.far) break;
+    if (random_share() * per_metre < extinction_at(origin + direction * t)) return t;
+  }
+  return -1.0;
+}
+
+// Unbiased estimate of what the clouds let through toward the light.
+float light_through(vec3 origin, vec3 direction) {
+  CloudSpan span = cloud_span(origin, direction);
+  float per_metre = majorant();
+  float t = span.near;
+  float through = 1.0;
+  for (int i = 0; i < kMostSteps; ++i) {
+    t -= log(1.0 - random_share()) / per_metre;
+    if (t >= span.far) break;
+    through *= 1.0 - extinction_at(origin + direction * t) / per_metre;
+    if (through < 0.05) {
+      if (random_share() < 0.75) return 0.0;
+      through *= 4.0;
+    }
+  }
+  return through;
+}
+
+float phase_toward(float cosine) {
+  float phase = dual_phase(clouds.phase.x, clouds.phase.y, clouds.phase.z, cosine);
+  return mix(0.25 / kPhasePi, phase, clouds.phase.w);
+}
+
+// A turn drawn from that phase function.
+float random_cosine() {
+  if (random_share() >= clouds.phase.w) return 2.0 * random_share() - 1.0;
+  float g = random_share() < clouds.phase.z ? -clouds.phase.y : clouds.phase.x;
+  float u = random_share();
+  if (abs(g) < 1.0e-3) return 2.0 * u - 1.0;
+  float r = (1.0 - g * g) / (1.0 - g + 2.0 * g * u);
+  return clamp((1.0 + g * g - r * r) / (2.0 * g), -1.0, 1.0);
+}
+
+vec3 turned(vec3 direction, float cosine) {
+  float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
+  float angle = 2.0 * kPhasePi * random_share();
+  vec3 aside = normalize(abs(direction.y) < 0.9 ? cross(direction, vec3(0.0, 1.0, 0.0))
+                                                : cross(direction, vec3(1.0, 0.0, 0.0)));
+  return normalize(direction * cosine +
+                   (aside * cos(angle) + cross(direction, aside) * sin(angle)) * sine);
+}
+
+vec3 light_at(vec3 p) {
+  vec3 up = normalize(vec3(2.0 * p.x * clouds.eye.y, 1.0, 2.0 * p.z * clouds.eye.y));
+  return cloud_light_at(1.0e-3 * max(cloud_altitude(p), 0.0), dot(clouds.light_direction.xyz, up),
+                        clouds.light_source.rgb);
+}
+
+// What a path brings back that met its first droplet at p.
+vec3 trace(vec3 p, vec3 direction, vec3 from_below) {
+  vec3 light = vec3(0.0);
+  float worth = 1.0;
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    vec3 toward = clouds.light_direction.xyz;
+    light += worth * phase_toward(dot(direction, toward)) * light_through(p, toward) * light_at(p);
+    direction = turned(direction, random_cosine());
+    float t = next_droplet(p, direction);
+    if (t < 0.0) {
+      vec3 sky = clouds.ambient.y * sky_radiance(direction);
+      return light + worth * (direction.y > 0.0 ? sky : from_below);
+    }
+    p += direction * t;
+    if (turn >= kTurnsBeforeRoulette) {
+      if (random_share() >= kSurvival) break;
+      worth /= kSurvival;
+    }
+  }
+  return light;
+}
+
+void main() {
+  ivec2 pixel = corner + ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, imageSize(sum)))) return;
+  vec4 light = imageLoad(sum, pixel);
+  vec2 distance = imageLoad(sum_of_distance, pixel).rg;
+  for (int i = 0; i < samples.y; ++i) {
+    random_state = uint(pixel.x) * 0x9e3779b1u ^ uint(pixel.y) * 0x85ebca77u ^
+                   uint(samples.x + i) * 0xc2b2ae3du;
+    random_share();
+    random_state ^= random_state >> 15;
+    random_share();
+    vec2 at = (vec2(pixel) + vec2(random_share(), random_share())) / vec2(imageSize(sum));
+    vec4 near = frame.relative_from_clip * vec4(2.0 * at - 1.0, 1.0, 1.0);
+    vec3 direction = normalize(near.xyz / near.w);
+    float t = next_droplet(vec3(0.0), direction);
+    if (t < 0.0) {
+      light.a += 1.0;
+      continue;
+    }
+    vec3 p = direction * t;
+    CloudRay ray = cloud_ray(direction, t);
+    AirLight air = cloud_air(direction, t, cloud_altitude(p));
+    light.rgb += trace(p, direction, ray.from_below) * clouds.light.w * air.transmittance + air.inscattered;
+    distance += vec2(t, 1.0);
+  }
+  imageStore(sum, pixel, light);
+  imageStore(sum_of_distance, pixel, vec4(distance, 0.0, 0.0));
+}
