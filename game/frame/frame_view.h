@@ -3,6 +3,7 @@
 #include <glm/vec3.hpp>
 
 #include "engine/clouds/gardner.h"
+#include "engine/ocean/underwater.h"
 #include "engine/sky/sky_light.h"
 #include "game/frame/boat_view.h"
 #include "game/world/world.h"
@@ -19,6 +20,7 @@ struct FrameView {
   SkyLight light;
   BoatView boat;
   GardnerView gardner;
+  UnderwaterView underwater;
   bool sea_visible = true, sky_visible = true;
 };
 
