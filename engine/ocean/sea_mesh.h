@@ -31,9 +31,9 @@ struct SeaMesh {
   /// Squares within the view out to a little beyond the horizon. `eye` is x, z of the camera in the
   /// world, `height` its height above the mean level; waves stay within ±`amplitude` m. Nothing
   /// farther than `farthest` (m) is needed.
-  std::vector<Square> select(
-      glm::dvec2 eye, double height, double amplitude, const glm::mat4& clip_from_relative,
-      double farthest = std::numeric_limits<double>::infinity()) const;
+  std::vector<Square> select(glm::dvec2 eye, double height, double amplitude,
+                             const glm::mat4& clip_from_relative,
+                             double farthest = std::numeric_limits<double>::infinity()) const;
 
   /// Distance to the horizon over the ground, m.
   static double horizon(double height);

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kCausticWidth = 20.0;  // m of the sea whose light is gathered
 constexpr GLuint kCausticUnit = 7;
+constexpr int kCausticLevels = 5;
 
 struct Fineness {
   int texels, steps;  // of the caustics' map, along a view's ray through them
@@ -66,8 +67,8 @@ double underwater_exposure_ev(double clarity, double depth) {
   if (depth <= 0.0) return 0.0;
   const glsl::WaterOptics water = glsl::water_optics(chlorophyll_of(clarity));
   const double lost = glsl::diffuse_attenuation(water, glsl::kDiffuseWay).y * depth / std::log(2.0);
-  // From the surface on the view is of water, some two stops darker than sea and sky.
-  return std::min(0.8 * lost + 1.6 * -std::expm1(-depth), 7.0);
+  // From the surface on the view is of water, a stop or two darker than sea and sky.
+  return std::min(0.8 * lost + 1.0 * -std::expm1(-depth), 7.0);
 }
 
 Underwater::Underwater(ShaderLibrary& shaders, int quality)
@@ -89,11 +90,15 @@ Underwater::Underwater(ShaderLibrary& shaders, int quality)
       caustics_("underwater.caustics", {.format = GL_R16F,
                                         .width = texels_,
                                         .height = texels_,
-                                        .layers = shared::kCausticLayers}),
-      linear_("underwater.caustics", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
+                                        .layers = shared::kCausticLayers,
+                                        .levels = kCausticLevels}),
+      linear_("underwater.caustics", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE,
+              GL_CLAMP_TO_EDGE),
       no_vertices_("underwater") {
   const float even = 1.0f;
-  glClearTexImage(caustics_.id(), 0, GL_RED, GL_FLOAT, &even);
+  for (int level = 0; level < kCausticLevels; ++level) {
+    glClearTexImage(caustics_.id(), level, GL_RED, GL_FLOAT, &even);
+  }
 }
 
 TextureId Underwater::add_solid(FrameGraph& graph, TextureId depth, bool wet) const {
@@ -164,9 +169,12 @@ void Underwater::update_block(const UnderwaterView& view) const {
   const double depth = std::max(-view.eye.y, 0.0);
 
   shared::UnderwaterData data{};
-  data.beam = pack(glsl::beam_attenuation(water), depth);
-  data.diffuse = pack(glsl::diffuse_attenuation(water, way), 0.0);
-  data.glow = pack(glsl::irradiance_reflectance(water) / glsl::kWaterPi, 0.0);
+  const glm::dvec3 fading = glsl::diffuse_attenuation(water, way);
+  const glm::dvec3 glow = glsl::irradiance_reflectance(water) / glsl::kWaterPi;
+  data.beam = pack(glsl::picture_attenuation(water), depth);
+  data.diffuse = pack(fading, 0.0);
+  data.glow = pack(glow, 0.0);
+  data.once = pack(glow * (water.absorption + water.backscatter + fading), 0.0);
   data.light = pack(bent.toward, bent.passing);
   // Low rays cross the waves' shadows more than their slopes: what they draw loses contrast.
   const double drawn = std::clamp((above.y - 0.03) / 0.12, 0.0, 1.0);
@@ -212,6 +220,8 @@ void Underwater::add(FrameGraph& graph, const UnderwaterView& view, const Surfac
         caustics_.bind_image(0, GL_WRITE_ONLY);
         smooth_.use();
         glDispatchCompute(groups / 2, groups / 2, shared::kCausticLayers);
+        glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+        caustics_.generate_mipmaps();
         surface.unbind();
       });
 

@@ -93,8 +93,9 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
   view.size = size;
   view.camera = pose.position;
   view.sea_time = world.drawn_time();
-  view.light = light_.update(environment.celestial(), environment.haze, pose.position.y,
-                             underwater_exposure_ev(world.scene().sea.clarity_m, world.eye_depth()));
+  view.light =
+      light_.update(environment.celestial(), environment.haze, pose.position.y,
+                    underwater_exposure_ev(world.scene().sea.clarity_m, world.eye_depth()));
   view.boat = boat_view(world, pose.position, view.light);
 
   const double aspect = static_cast<double>(size.x) / size.y;

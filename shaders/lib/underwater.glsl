@@ -28,8 +28,13 @@ WaterOptics water_optics(float chlorophyll) {
   return water;
 }
 
-// What a thin beam, and with it the contrast of a thing, loses on its way (Duntley 1963).
+// What a thin beam, and with it the contrast of small things, loses on its way (Duntley 1963).
 vec3 beam_attenuation(WaterOptics water) { return water.absorption + water.scattering; }
+
+// What a picture loses: light that is scattered forward by little still belongs to a thing as wide as a
+// hull, and only the outline of small ones blurs. Half of the scattering is left at some 4 cycles per
+// radian (Wells 1973: b (1 - exp(-x)) / x with x = 2 pi .07 cycles).
+vec3 picture_attenuation(WaterOptics water) { return water.absorption + 0.5 * water.scattering; }
 
 // How daylight fades with depth (Gordon 1989): 1.0395 D0 (a + bb), with D0 the mean way of the light
 // per metre of depth just below the surface.
@@ -65,7 +70,7 @@ vec3 path_integral(vec3 k, float s) {
 float scattering_shape(float g, float cosine) {
   return henyey_greenstein(g, cosine) / henyey_greenstein(g, -0.9);
 }
-const float kSunG = 0.85;  // of a beam
+const float kSunG = 0.80;  // of a beam
 const float kSkyG = 0.60;  // of light from all of the window
 
 // ---- The surface from below -----------------------------------------------------------------------

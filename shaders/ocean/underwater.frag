@@ -95,14 +95,15 @@ vec3 surface_from_below(Daylight day, vec3 direction, vec2 parameter, float foot
   return mix(sum, white, under.foam);
 }
 
-// Gathered light along the way, over its mean, at a few places; the noise of their start is gone at the
-// next frame's.
+// Gathered light along the way, over its mean, at a few places. Each stands for the water up to the next:
+// a long step across the beams sees their mean, one along them sees them sharp.
 float shafts(vec3 direction, float s, float depth) {
   const int kSteps = STEPS;
   const float kReach = 14.0;
   float reach = min(s, kReach);
   float k = water.beam.g - water.diffuse.g * direction.y;
-  float start = dither(gl_FragCoord.xy) * 255.0 + 0.5;
+  float start = dither(gl_FragCoord.xy) * 128.0 + 0.5;
+  float across = length(direction.xz - water.light.xz * (direction.y / water.light.y));
   float sum = 0.0, weights = 1.0e-6;
   for (int i = 0; i < kSteps * int(water.bright.w > 0.0); ++i) {
     float t = (float(i) + start) / float(kSteps);
@@ -110,7 +111,7 @@ float shafts(vec3 direction, float s, float depth) {
     float weight = t * exp(-k * along);
     vec3 place = direction * along;
     float under = max(depth - place.y, 0.0);
-    sum += weight * caustic(place, under);
+    sum += weight * caustic(place, under, across * 2.0 * reach * t / float(kSteps));
     weights += weight;
   }
   // What lies beyond shines evenly.

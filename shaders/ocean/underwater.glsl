@@ -27,11 +27,13 @@ Daylight daylight() {
 
 // What of a beam is still one at this depth: rgb, over all of the light that came down.
 vec3 unscattered(float depth) {
-  return exp((water.diffuse.rgb - water.beam.rgb) * (max(depth, 0.0) / water.light.y));
+  return exp(min(water.diffuse.rgb - water.beam.rgb, vec3(0.0)) *
+             (max(depth, 0.0) / water.light.y));
 }
 
 // Light gathered by the waves over that under a level sea, at a place relative to the camera.
-float caustic(vec3 relative, float depth) {
+// `size`: m over which the mean is taken.
+float caustic(vec3 relative, float depth, float size) {
   vec2 at = relative.xz + water.light.xz * (depth / water.light.y) - water.caustics.xy;
   vec2 unit = at / water.caustics.z;
   float layer = log(max(depth, 1.0e-3) / kCausticFirst) / log(kCausticRatio);
@@ -39,8 +41,9 @@ float caustic(vec3 relative, float depth) {
   inside *= clamp(depth / kCausticFirst, 0.0, 1.0);
   float l = clamp(layer, 0.0, float(kCausticLayers - 1));
   float lower = min(floor(l), float(kCausticLayers - 2));
-  float pattern = mix(textureLod(caustic_map, vec3(unit + 0.5, lower), 0.0).r,
-                      textureLod(caustic_map, vec3(unit + 0.5, lower + 1.0), 0.0).r, l - lower);
+  float level = log2(max(size * water.caustics.w / water.caustics.z, 1.0));
+  float pattern = mix(textureLod(caustic_map, vec3(unit + 0.5, lower), level).r,
+                      textureLod(caustic_map, vec3(unit + 0.5, lower + 1.0), level).r, l - lower);
   return 1.0 + inside * water.bright.w * (pattern - 1.0);
 }
 
@@ -53,14 +56,17 @@ PathLight path_light(Daylight day, float depth, vec3 direction, float s) {
   // No water above the sea.
   float way = min(s, direction.y > 0.0 ? (max(depth, 0.0) + 1.0) / direction.y : kFarAway);
   vec3 k = water.beam.rgb - water.diffuse.rgb * direction.y;
-  vec3 source = water.glow.rgb * (water.beam.rgb + water.diffuse.rgb) *
-                exp(-water.diffuse.rgb * max(depth, 0.0)) * path_integral(k, way);
+  vec3 lost = exp(-water.diffuse.rgb * max(depth, 0.0)) * path_integral(k, way);
+  // From all round, many times scattered: straight down and without end it comes to `glow`. Forward
+  // of that, once.
+  vec3 round = water.glow.rgb * (water.beam.rgb + water.diffuse.rgb) * lost;
+  vec3 once = water.once.rgb * lost;
   // Deep down nothing tells where a beam came from.
   vec3 still = sqrt(unscattered(depth));
-  float even = scattering_shape(kSkyG, direction.y);
-  float beamed = scattering_shape(kSunG, dot(direction, water.light.xyz));
+  vec3 even = max(round + once * (scattering_shape(kSkyG, direction.y) - 1.0), vec3(0.0));
+  vec3 beamed = once * (scattering_shape(kSunG, dot(direction, water.light.xyz)) - 1.0);
   PathLight light;
-  light.from_sky = source * (day.diffuse * even + day.direct * even * (vec3(1.0) - still));
-  light.from_light = source * day.direct * still * beamed;
+  light.from_sky = even * (day.diffuse + day.direct * (vec3(1.0) - still));
+  light.from_light = max(round + beamed, vec3(0.0)) * day.direct * still;
   return light;
 }

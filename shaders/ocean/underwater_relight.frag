@@ -45,7 +45,7 @@ vec3 lit_below(vec3 normal, vec3 relative, float depth) {
   float up = 0.5 + 0.5 * normal.y;
   vec3 deep = water.glow.rgb * kWaterPi;
   return scattered * (up * up + 0.25 * up * (1.0 - up)) + whole * deep * (1.0 - up) +
-         beam / water.light.y * max(dot(normal, water.light.xyz), 0.0) * caustic(relative, depth);
+         beam / water.light.y * max(dot(normal, water.light.xyz), 0.0) * caustic(relative, depth, length(relative) * frame.camera.w);
 }
 
 void main() {

@@ -12,9 +12,10 @@ const float kCausticFirst = 0.35f;
 const float kCausticRatio = 3.0f;
 
 struct UnderwaterData {
-  vec4 beam;     // rgb: attenuation of what one looks at (1/m); w: depth of the eye (m), 0 above
+  vec4 beam;     // rgb: attenuation of the picture (1/m); w: depth of the eye (m), 0 above
   vec4 diffuse;  // rgb: attenuation of daylight with depth (1/m)
   vec4 glow;     // rgb: radiance of the depths, seen straight down, over the illuminance there
+  vec4 once;     // rgb: light scattered once toward an eye that looks down, 1/m, over the illuminance
   vec4 light;    // xyz: toward the brighter of sun and moon, as bent by level water; w: its illuminance
                  // below on a plane that faces it, over that above
   vec4 bright;   // rgb: that light's illuminance above, lux; w: 1 where it makes caustics, else 0
