@@ -90,6 +90,7 @@ class Ocean {
   std::span<const Cascade> cascades() const { return cascades_; }
   double choppiness() const { return choppiness_; }
   const SeaMaps& maps() const { return maps_; }
+  const Underwater& underwater() const { return underwater_; }
   const OceanSettings& settings() const { return settings_; }
 
  private:

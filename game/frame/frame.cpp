@@ -73,7 +73,7 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   const TextureId depth = graph.import(pictures.depth);
   const TextureId display = graph.import(pictures.display);
 
-  const Lens wet = lens(view, t.ocean);
+  const Lens wet = t.boat.holds_eye(view.boat) ? Lens::kDry : lens(view, t.ocean);
   const bool sky_visible = view.sky_visible && wet != Lens::kSubmerged;
   GardnerView gardner = view.gardner;
   gardner.sky_visible = sky_visible;

@@ -82,6 +82,25 @@ float fresnel_from_below(float cosine) {
   return sine2 >= 1.0 ? 1.0 : fresnel_water(sqrt(1.0 - sine2));
 }
 
+// What a rough surface lets through from below to above. Facets' slopes toward the eye are normal about
+// the one that is seen at `cosine`, with the deviation `sigma`; those within the critical angle pass
+// light. The edge of the window is as soft as they are rough.
+struct Window {
+  float passing;  // share of the light
+  float cosine;   // of the mean facet that passes it
+};
+Window window_through(float cosine, float sigma) {
+  float edge = sqrt(1.0 - 1.0 / (kWaterIndex * kWaterIndex));
+  // There the cosine changes by the sine, 1 / n, for a change of the slope.
+  float width = max(sigma / kWaterIndex, 1.0e-3);
+  float level = cosine - edge;
+  float share = normal_below(level / width);
+  Window window;
+  window.cosine = clamp(edge + visible_facets(level, width).area / max(share, 1.0e-4), edge, 1.0);
+  window.passing = share * (1.0 - fresnel_from_below(window.cosine));
+  return window;
+}
+
 // A light above level water, as it shines below.
 struct BentLight {
   vec3 toward;     // unit, toward the light

@@ -59,14 +59,11 @@ vec3 depths(Daylight day, vec3 direction) {
   return light.from_sky + light.from_light;
 }
 
-// What a facet lets through: the sky, brighter by the square of the index, since rays crowd together in
+// What facets let through: the sky, brighter by the square of the index, since rays crowd together in
 // water.
-vec3 through_facet(vec3 direction, vec3 normal, out float passing) {
-  float cosine = clamp(dot(direction, normal), 0.0, 1.0);
-  passing = 1.0 - fresnel_from_below(cosine);
-  float out2 = 1.0 - kWaterIndex * kWaterIndex * (1.0 - cosine * cosine);
-  vec3 bent = kWaterIndex * direction + (sqrt(max(out2, 0.0)) - kWaterIndex * cosine) * normal;
-  bent.y = max(bent.y, 0.01);
-  vec3 sky_light = probe_radiance(normalize(bent), 0.0);
-  return sky_light * (passing * kWaterIndex * kWaterIndex);
+vec3 through_facets(vec3 direction, vec3 normal, Window window, float sigma) {
+  float out2 = max(1.0 - kWaterIndex * kWaterIndex * (1.0 - window.cosine * window.cosine), 0.0);
+  vec3 bent = kWaterIndex * direction + (sqrt(out2) - kWaterIndex * window.cosine) * normal;
+  vec3 sky_light = probe_radiance(normalize(vec3(bent.x, max(bent.y, 0.01), bent.z)), sqrt(sigma));
+  return sky_light * (window.passing * kWaterIndex * kWaterIndex);
 }

@@ -49,21 +49,13 @@ vec3 surface_from_below(Daylight day, vec3 direction, vec2 parameter, float foot
   vec2 toward = direction.xz / max(length(direction.xz), 1.0e-4);
   float sigma = sqrt(max(dot(toward * toward, under.covariance.xy) +
                          2.0 * toward.x * toward.y * under.covariance.z, 0.0));
-  vec3 sum = vec3(0.0);
-  float passing = 0.0;
-  // A mean over the slopes that the pixel does not resolve, by Gauss and Hermite's three points along
-  // the way one looks: the window's edge is as soft as they are rough.
-  for (int i = -1; i <= 1; ++i) {
-    vec2 slope = under.slope + toward * (float(i) * 1.7320508 * sigma);
-    vec3 normal = normalize(vec3(-slope.x, 1.0, -slope.y));
-    float share;
-    vec3 light = through_facet(direction, normal, share);
-    float weight = i == 0 ? 2.0 / 3.0 : 1.0 / 6.0;
-    sum += weight * light;
-    passing += weight * share;
-  }
   vec3 normal = normalize(vec3(-under.slope.x, 1.0, -under.slope.y));
   float cosine = clamp(dot(direction, normal), 0.02, 1.0);
+  // Near by, an eye sees one by one most of the ripples that the maps lack: as blur they would be too
+  // soft by half.
+  Window window = window_through(cosine, 0.4 * sigma);
+  float passing = window.passing;
+  vec3 sum = through_facets(direction, normal, window, 0.4 * sigma);
   vec3 mirrored = direction - 2.0 * cosine * normal;
   sum += depths(day, mirrored) * (1.0 - passing);
 
