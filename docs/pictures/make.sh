@@ -15,3 +15,5 @@ shot gale gale 45
 shot sunset sunset 15
 shot moonlight moonlight 15
 shot helm default 15 --set camera.mode=helm
+shot underwater default 3 --set camera.mode=free --set camera.position=6.5,-1.7,4.2 \
+  --set camera.target=0,0.9,0

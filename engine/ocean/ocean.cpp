@@ -18,6 +18,8 @@ constexpr double kAtOnce = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMaxSquares = 8192;
 constexpr double kFoamLength = 7.3;  // m across the wind; no multiple of a cascade's length
 constexpr int kFoamTexels = 256;
+constexpr double kTallestWave = 1.5;        // over Hs: none in a day's 10 000 waves is higher
+constexpr double kFarthestInWater = 250.0;  // m: no surface is seen from below beyond that
 constexpr double kFoamSoftness = 0.15;  // variance of the edge of foam over that of the Jacobian
 
 /// x with normal_below(x) = share.
@@ -38,6 +40,16 @@ double breaks(const CascadeBand& band) {
 
 double fraction(double x) { return x - std::floor(x); }
 
+ShaderDefines mesh_defines(const OceanSettings& settings) {
+  return {{"MORPH", std::to_string(SeaMesh::kMorph)},
+          {"FOOTPRINT_RATIO", settings.mesh_cells <= 8 ? "3.0" : "4.0"}};
+}
+
+ShaderDefines two_sided(ShaderDefines defines) {
+  defines.emplace_back("TWO_SIDED", "1");
+  return defines;
+}
+
 glm::vec4 to_vec4(const SlopeVariance& v) {
   return glm::vec4(glm::dvec4(v.xx, v.zz, v.xz, v.total()));
 }
@@ -46,6 +58,7 @@ glm::vec4 to_vec4(const SlopeVariance& v) {
 
 OceanSettings OceanSettings::of_quality(int quality) {
   OceanSettings settings;
+  settings.quality = quality;
   settings.size = quality <= 0 ? 128 : 256;
   settings.mesh_cells = quality <= 0 ? 8 : quality == 1 ? 14 : quality == 2 ? 22 : 32;
   settings.cascades = quality >= 3 ? 4 : 3;
@@ -59,9 +72,9 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
       water_(std::make_unique<FftMoments>()),
       mesh_{.cells = settings.mesh_cells, .finest_spacing = 3.2 / settings.mesh_cells},
       mesh_program_(
-          shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"},
-                          {{"MORPH", std::to_string(SeaMesh::kMorph)},
-                           {"FOOTPRINT_RATIO", settings.mesh_cells <= 8 ? "3.0" : "4.0"}})),
+          shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"}, mesh_defines(settings))),
+      two_sided_mesh_program_(shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"},
+                                              two_sided(mesh_defines(settings)))),
       surface_(shaders.program({"post/full_screen.vert", "ocean/surface.frag"})),
       squares_("sea.squares", kMaxSquares * sizeof(SeaMesh::Square)),
       block_("sea.block", sizeof(shared::OceanData)),
@@ -69,7 +82,8 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
       no_vertices_("sea.picture"),
       map_sampler_("sea.map", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
       foam_sampler_("sea.foam", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
-      foam_(make_foam_pattern(kFoamTexels)) {
+      foam_(make_foam_pattern(kFoamTexels)),
+      underwater_(shaders, settings.quality) {
   make_grid();
 }
 
@@ -233,28 +247,79 @@ void Ocean::update_block(const OceanView& view) {
   block_.write(data);
 }
 
-void Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
-                     const LightAccess& sky, TextureId dry, TextureId hdr, TextureId depth,
-                     bool visible) {
+void Ocean::bind_surface(const PassContext& context, const SeaIds& sea) const {
+  context.texture(sea.displacement).bind(0);
+  context.texture(sea.slopes).bind(1);
+  foam_.bind(2);
+  map_sampler_.bind(0);
+  map_sampler_.bind(1);
+  foam_sampler_.bind(2);
+  block_.bind_uniform(OFFING_BIND_OCEAN);
+}
+
+void Ocean::unbind_samplers() {
+  for (const GLuint unit : {0u, 1u, 2u}) glBindSampler(unit, 0);
+}
+
+Lens Ocean::lens(glm::dvec3 eye, std::span<const glm::vec3> corners, double time) const {
+  const double crests = kTallestWave * statistics_.hs + 0.2;
+  const auto [lowest, highest] =
+      std::minmax_element(corners.begin(), corners.end(),
+                          [](const glm::vec3& a, const glm::vec3& b) { return a.y < b.y; });
+  const double low = eye.y + static_cast<double>(lowest->y);
+  const double high = eye.y + static_cast<double>(highest->y);
+  if (low > crests) return Lens::kDry;
+  if (high < -crests) return Lens::kSubmerged;
+  if (fading_ || water_.age(time) > 0.0) return Lens::kCrossing;
+
+  std::vector<glm::dvec2> places;
+  for (const glm::vec3& corner : corners) {
+    places.emplace_back(eye.x + static_cast<double>(corner.x),
+                        eye.z + static_cast<double>(corner.z));
+  }
+  std::vector<WaterSample> water(places.size());
+  water_.sample(places, time, water);
+  double unknown = 0.0;  // variance of the waves that queries leave out
+  for (std::size_t c = static_cast<std::size_t>(settings_.query_cascades); c < cascades_.size();
+       ++c) {
+    unknown += cascades_[c].variance;
+  }
+  const double margin = 5.0 * std::sqrt(unknown) + 0.03;
+  bool all_above = true, all_below = true;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double over = eye.y + static_cast<double>(corners[i].y) - water[i].height;
+    all_above = all_above && over > margin;
+    all_below = all_below && over < -margin;
+  }
+  return all_above ? Lens::kDry : all_below ? Lens::kSubmerged : Lens::kCrossing;
+}
+
+UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
+                              const LightAccess& sky, TextureId dry, TextureId hdr, TextureId depth,
+                              bool visible) {
+  const bool wet = view.lens != Lens::kDry;
+  const bool submerged = view.lens == Lens::kSubmerged;
   std::vector<SeaMesh::Square> squares;
-  if (visible) {
+  if (visible || wet) {
     squares = mesh_.select(view.eye, view.eye_height, 1.2 * statistics_.hs + 0.1,
-                           view.clip_from_relative);
+                           view.clip_from_relative, submerged ? kFarthestInWater : kAtOnce);
     if (squares.size() > kMaxSquares) squares.resize(kMaxSquares);
   }
   const bool nothing_in_view = squares.empty();
   gl::TextureDesc seen_desc = graph.desc(hdr);
   seen_desc.format = GL_RGBA32F;
   const TextureId seen = graph.create("sea.seen", seen_desc);
+  UnderwaterIds ids{.lens = view.lens, .solid = {}, .below = seen, .beyond = {}};
+  ids.solid = underwater_.add_solid(graph, depth, wet);
 
   graph.add(
       "sea.mesh",
       [&](PassBuilder& pass) {
         pass.read(sea.displacement).read(dry);
         pass.write(seen, Access::kAttachment).modify(depth).render_to({seen}, depth);
-        pass.skip_if(nothing_in_view);
+        pass.skip_if(nothing_in_view && !wet);
       },
-      [this, view, sea, dry, squares = std::move(squares)](const PassContext& context) {
+      [this, view, sea, dry, wet, squares = std::move(squares)](const PassContext& context) {
         update_block(view);
         squares_.write(squares.data(), squares.size() * sizeof(SeaMesh::Square));
         const float nowhere[4] = {0.0f, 0.0f, 0.0f, 0.0f};
@@ -263,7 +328,7 @@ void Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea
         context.texture(dry).bind(3);
         map_sampler_.bind(0);
         block_.bind_uniform(OFFING_BIND_OCEAN);
-        mesh_program_.use();
+        (wet ? two_sided_mesh_program_ : mesh_program_).use();
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_GREATER);
         glDepthMask(GL_TRUE);
@@ -276,31 +341,41 @@ void Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea
         glBindSampler(0, 0);
       });
 
+  // A lens half in the water: the sea is drawn from above where a pixel is dry.
+  const SurfaceAccess surface = surface_access(sea);
+  const TextureId above = underwater_.add_split(graph, surface, seen, &ids);
+
   graph.add(
       "sea.draw",
       [&](PassBuilder& pass) {
-        pass.read(sea.displacement).read(sea.slopes).read(seen);
+        pass.read(sea.displacement).read(sea.slopes).read(above);
         sky.declare(pass);
         pass.modify(hdr).render_to({hdr});
-        pass.skip_if(nothing_in_view);
+        pass.skip_if(nothing_in_view || submerged);
       },
-      [this, sea, seen, bind_sky = sky.bind](const PassContext& context) {
-        context.texture(sea.displacement).bind(0);
-        context.texture(sea.slopes).bind(1);
-        foam_.bind(2);
-        context.texture(seen).bind(3);
-        map_sampler_.bind(0);
-        map_sampler_.bind(1);
-        foam_sampler_.bind(2);
-        block_.bind_uniform(OFFING_BIND_OCEAN);
+      [this, sea, above, bind_sky = sky.bind](const PassContext& context) {
+        bind_surface(context, sea);
+        context.texture(above).bind(3);
         bind_sky(context);
         surface_.use();
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_BLEND);
         no_vertices_.bind();
         glDrawArrays(GL_TRIANGLES, 0, 3);
-        for (const GLuint unit : {0u, 1u, 2u}) glBindSampler(unit, 0);
+        unbind_samplers();
       });
+  return ids;
+}
+
+SurfaceAccess Ocean::surface_access(const SeaIds& sea) const {
+  return {[sea](PassBuilder& pass) { pass.read(sea.displacement).read(sea.slopes); },
+          [this, sea](const PassContext& context) { bind_surface(context, sea); },
+          [] { unbind_samplers(); }};
+}
+
+void Ocean::add_underwater(FrameGraph& graph, const UnderwaterView& view, const SeaIds& sea,
+                           const LightAccess& sky, const UnderwaterIds& ids, TextureId hdr) const {
+  underwater_.add(graph, view, surface_access(sea), sky, ids, hdr);
 }
 
 }  // namespace offing

@@ -3,7 +3,6 @@
 #include <glm/vec2.hpp>
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -17,6 +16,7 @@
 #include "engine/ocean/sea_state.h"
 #include "engine/ocean/sea_water.h"
 #include "engine/ocean/spectrum.h"
+#include "engine/ocean/underwater.h"
 #include "engine/shader/shader_library.h"
 
 namespace offing {
@@ -28,6 +28,7 @@ struct OceanSettings {
   /// Cascades that water queries know, from the longest on: two hold the waves down to some 3 m
   /// that move a boat, the same at every quality.
   int query_cascades = 2;
+  int quality = 0;  ///< 0 low to 3 ultra, of what has no size of its own here
 
   /// 0 low, 1 medium, 2 high, 3 ultra.
   static OceanSettings of_quality(int quality);
@@ -38,13 +39,7 @@ struct OceanView {
   glm::mat4 clip_from_relative{1.0f};  ///< as in shared::FrameData
   glm::dvec2 eye{0.0};                 ///< x, z of the camera in the world, m
   double eye_height = 2.0;             ///< above the mean sea level, m
-};
-
-/// How a pass reaches the light of sky, probe and clouds, which lie above the sea in the order of
-/// includes: what their shaders read is declared at set-up and bound when drawing.
-struct LightAccess {
-  std::function<void(PassBuilder&)> declare;
-  std::function<void(const PassContext&)> bind;
+  Lens lens = Lens::kDry;
 };
 
 /// The sea: its waves, its picture, and where its surface is.
@@ -71,9 +66,18 @@ class Ocean {
   /// (radiance × exposure) and `depth` (reversed). The frame's FrameData must be bound when the
   /// graph runs. They do not run where not `visible`. Nothing is drawn inside a hull: `dry`, a
   /// picture of the same size, holds 1 / distance to its near side and the distance to its far
-  /// side.
-  void add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea, const LightAccess& sky,
-                TextureId dry, TextureId hdr, TextureId depth, bool visible);
+  /// side. What it returns is for add_underwater().
+  UnderwaterIds add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
+                         const LightAccess& sky, TextureId dry, TextureId hdr, TextureId depth,
+                         bool visible);
+  /// Adds the view from the water, last before tone mapping (underwater.h). Skipped while dry.
+  void add_underwater(FrameGraph& graph, const UnderwaterView& view, const SeaIds& sea,
+                      const LightAccess& sky, const UnderwaterIds& ids, TextureId hdr) const;
+
+  /// Whether the near side of this view (its corners relative to the eye, m) lies in the water at
+  /// `time`; `eye` in the world. Queries know the long waves only, so that next to the surface the
+  /// answer is kCrossing.
+  Lens lens(glm::dvec3 eye, std::span<const glm::vec3> corners, double time) const;
 
   /// Takes in what has come back of the sea; never waits.
   void collect();
@@ -86,6 +90,7 @@ class Ocean {
   std::span<const Cascade> cascades() const { return cascades_; }
   double choppiness() const { return choppiness_; }
   const SeaMaps& maps() const { return maps_; }
+  const Underwater& underwater() const { return underwater_; }
   const OceanSettings& settings() const { return settings_; }
 
  private:
@@ -95,6 +100,9 @@ class Ocean {
   void fade(double time);
   std::shared_ptr<const QueryWaves> query_waves(std::span<const Cascade> cascades) const;
   void update_block(const OceanView& view);
+  void bind_surface(const PassContext& context, const SeaIds& sea) const;
+  static void unbind_samplers();
+  SurfaceAccess surface_access(const SeaIds& sea) const;
 
   OceanSettings settings_;
   ShaderLibrary& shaders_;
@@ -103,11 +111,13 @@ class Ocean {
   SeaWater water_;
   SeaMesh mesh_;
   const ShaderProgram& mesh_program_;
+  const ShaderProgram& two_sided_mesh_program_;  ///< tells from which side water is seen
   const ShaderProgram& surface_;
   gl::Buffer vertices_, indices_, squares_, block_;
   gl::VertexArray array_, no_vertices_;
   gl::Sampler map_sampler_, foam_sampler_;
   gl::Texture foam_;
+  Underwater underwater_;
   int index_count_ = 0;
 
   std::uint64_t sea_key_ = 0;

@@ -67,9 +67,10 @@ double SeaMesh::horizon(double height) {
 }
 
 std::vector<SeaMesh::Square> SeaMesh::select(glm::dvec2 eye, double height, double amplitude,
-                                             const glm::mat4& clip_from_relative) const {
+                                             const glm::mat4& clip_from_relative,
+                                             double farthest) const {
   // Crests beyond the horizon of the mean level still stand above it.
-  const double reach = 1.05 * (horizon(height) + horizon(amplitude)) + 2000.0;
+  const double reach = std::min(1.05 * (horizon(height) + horizon(amplitude)) + 2000.0, farthest);
   const double finest_side = finest_spacing * cells;
   const int top = std::max(0, static_cast<int>(std::ceil(std::log2(reach / (2.0 * finest_side)))));
   const double side = std::ldexp(finest_side, top);

@@ -3,6 +3,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <limits>
 #include <vector>
 
 namespace offing {
@@ -28,9 +29,11 @@ struct SeaMesh {
   using Square = glm::vec4;
 
   /// Squares within the view out to a little beyond the horizon. `eye` is x, z of the camera in the
-  /// world, `height` its height above the mean level; waves stay within ±`amplitude` m.
+  /// world, `height` its height above the mean level; waves stay within ±`amplitude` m. Nothing
+  /// farther than `farthest` (m) is needed.
   std::vector<Square> select(glm::dvec2 eye, double height, double amplitude,
-                             const glm::mat4& clip_from_relative) const;
+                             const glm::mat4& clip_from_relative,
+                             double farthest = std::numeric_limits<double>::infinity()) const;
 
   /// Distance to the horizon over the ground, m.
   static double horizon(double height);

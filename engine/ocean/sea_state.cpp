@@ -14,6 +14,9 @@ void SeaState::describe(FieldTable& table) {
       .number("depth", depth_m, {0.5, 10000.0}, "m", "depth of the water")
       .number("choppiness", choppiness, {0.0, 1.5}, "",
               "sideways motion of the water; 1 is that of linear waves")
+      .number("clarity", clarity_m, {1.4, 60.0}, "m",
+              "depth at which a white disc is lost from sight: 60 the clearest ocean, 24 open "
+              "Atlantic, 2 a green coast")
       .choice("queries", queries, {"direct", "readback"},
               "who computes the water for what floats: the CPU, or the GPU and back");
   table.group("sea.swell")

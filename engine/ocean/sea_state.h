@@ -27,6 +27,7 @@ struct SeaState {
   /// How far the wind sea's crests are drawn out like a swell's: xi of Horvath 2015, 0 to 1.
   double elongation = 0.0;
   double choppiness = 1.0;       ///< share of the horizontal motion of linear waves, 1 is physical
+  double clarity_m = 24.0;       ///< Secchi depth: where a white disc is lost from sight
   int queries = kDirectQueries;  ///< how, not what: both give the same water
   Swell swell;
 

@@ -220,6 +220,9 @@ void BoatPass::build_rigid(ShaderLibrary& shaders, const Model& model) {
     }
   }
   mask_count_ = static_cast<std::uint32_t>(indices.size()) - mask_first_;
+  for (std::uint32_t i = mask_first_; i < indices.size(); ++i) {
+    mask_corners_.push_back(vertices[indices[i]].position);
+  }
 
   vertices_ = gl::Buffer::of<RigidVertex>("boat.vertices", vertices);
   indices_ = gl::Buffer::of<std::uint32_t>("boat.indices", indices);
@@ -404,6 +407,23 @@ void BoatPass::add(FrameGraph& graph, const BoatView& view, const shared::FrameD
         bind(context);
         draw(posed);
       });
+}
+
+bool BoatPass::holds_eye(const BoatView& view) const {
+  if (glm::length(view.position) > kRadius) return false;
+  const glm::vec3 eye = glm::inverse(view.orientation) * -view.position;
+  // Inside where a line straight up leaves the closed hull an odd number of times.
+  bool inside = false;
+  for (std::size_t i = 0; i + 2 < mask_corners_.size(); i += 3) {
+    const glm::vec3 a = mask_corners_[i] - eye, b = mask_corners_[i + 1] - eye,
+                    c = mask_corners_[i + 2] - eye;
+    const auto turn = [](const glm::vec3& p, const glm::vec3& q) { return p.x * q.z - p.z * q.x; };
+    const float ab = turn(a, b), bc = turn(b, c), ca = turn(c, a);
+    const bool over = (ab > 0.0f) == (bc > 0.0f) && (bc > 0.0f) == (ca > 0.0f);
+    const float area = ab + bc + ca;
+    if (over && area != 0.0f && (a.y * bc + b.y * ca + c.y * ab) / area > 0.0f) inside = !inside;
+  }
+  return inside;
 }
 
 TextureId BoatPass::add_mask(FrameGraph& graph, const BoatView& view,

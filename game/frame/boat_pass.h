@@ -52,6 +52,9 @@ class BoatPass {
   /// distance d from the camera is inside the hull where d × r > 1 and d < g.
   TextureId add_mask(FrameGraph& graph, const BoatView& view, const shared::FrameData& frame) const;
 
+  /// Whether the eye is inside the hull, where it is dry under the waterline as well.
+  bool holds_eye(const BoatView& view) const;
+
   ClothStyle mainsail = mainsail_style();
   ClothStyle jib = jib_style();
   ClothStyle flag = flag_style();
@@ -91,6 +94,7 @@ class BoatPass {
   std::array<shared::BoatMaterial, shared::kBoatMaterials> materials_;
   std::vector<Draw> draws_;
   std::uint32_t mask_first_ = 0, mask_count_ = 0;
+  std::vector<glm::vec3> mask_corners_;  ///< of its triangles, in the boat's frame
   std::array<Cloth, 3> cloth_;
   std::vector<gl::Texture> pictures_;
   const ShaderProgram& cloth_program_;

@@ -69,6 +69,20 @@ GardnerView gardner_view(const World& world, CloudView& clouds, bool sky_visible
   return view;
 }
 
+UnderwaterView underwater_view(const World& world, const CameraPose& pose, const SkyLight& light) {
+  UnderwaterView view;
+  view.eye = pose.position;
+  view.forward = pose.orientation * glm::dvec3(0.0, 0.0, -1.0);
+  view.sun_direction = light.sun_direction;
+  view.sun_illuminance = light.sun_illuminance;
+  view.moon_direction = light.moon_direction;
+  view.moon_illuminance = light.moon_illuminance;
+  view.sky_illuminance = light.sky_illuminance;
+  view.clarity = world.scene().sea.clarity_m;
+  view.boat_visible = glm::distance(world.drawn_boat().position, pose.position) < 150.0;
+  return view;
+}
+
 // Whether any pixel looks below the horizon of the sea, waves included.
 bool sea_in_view(const glm::mat4& relative_from_clip, double camera_height) {
   constexpr double kEarthRadius = 6.36e6, kTallestWave = 20.0;
@@ -112,8 +126,10 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
   view.size = size;
   view.camera = pose.position;
   view.sea_time = world.drawn_time();
-  view.light = paint(world.scene(),
-                     light_.update(environment.celestial(), environment.haze, pose.position.y));
+  view.light =
+      paint(world.scene(),
+            light_.update(environment.celestial(), environment.haze, pose.position.y,
+                          underwater_exposure_ev(world.scene().sea.clarity_m, world.eye_depth())));
   view.clouds = cloud_view(world, pose.position);
   view.exposure = world.scene().exposure;
   view.boat = boat_view(world, pose.position, view.light);
@@ -137,6 +153,7 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
 
   view.sea_visible = sea_in_view(frame.relative_from_clip, pose.position.y);
   view.sky_visible = sky_in_view(frame.relative_from_clip, pose.position.y);
+  view.underwater = underwater_view(world, pose, view.light);
   view.gardner = gardner_view(world, view.clouds, view.sky_visible);
   return view;
 }

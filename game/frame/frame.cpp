@@ -1,6 +1,7 @@
 #include "game/frame/frame.h"
 
 #include <algorithm>
+#include <array>
 
 #include "engine/core/paths.h"
 #include "engine/io/model.h"
@@ -32,8 +33,18 @@ void add_begin(FrameGraph& graph, const FrameView& view, const gl::Buffer& frame
       });
 }
 
-OceanView ocean_view(const FrameView& view) {
-  return {view.frame.clip_from_relative, {view.camera.x, view.camera.z}, view.camera.y};
+Lens lens(const FrameView& view, const Ocean& ocean) {
+  std::array<glm::vec3, 4> near;
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const glm::vec4 corner = view.frame.relative_from_clip *
+                             glm::vec4(i % 2 == 0 ? -1.0f : 1.0f, i < 2 ? -1.0f : 1.0f, 1.0f, 1.0f);
+    near[i] = glm::vec3(corner) / corner.w;
+  }
+  return ocean.lens(view.camera, near, view.sea_time);
+}
+
+OceanView ocean_view(const FrameView& view, Lens lens) {
+  return {view.frame.clip_from_relative, {view.camera.x, view.camera.z}, view.camera.y, lens};
 }
 
 // What of the light is ready when the sea and the boat are drawn.
@@ -89,6 +100,11 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   const TextureId depth = graph.import(pictures.depth);
   const TextureId display = graph.import(pictures.display);
 
+  const Lens wet = t.boat.holds_eye(view.boat) ? Lens::kDry : lens(view, t.ocean);
+  const bool sky_visible = view.sky_visible && wet != Lens::kSubmerged;
+  GardnerView gardner = view.gardner;
+  gardner.sky_visible = sky_visible;
+
   add_begin(graph, view, t.frame_block, hdr, depth);
   const SkyIds sky = t.sky.add_tables(graph, view.light);
   const CloudscapeIds clouds = t.clouds.add_field(graph, view.clouds, view.light);
@@ -97,11 +113,13 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   const SeaIds sea = t.ocean.add_maps(graph, view.sea_time);
   const TextureId hull = t.boat.add_mask(graph, view.boat, view.frame);
   t.boat.add(graph, view.boat, view.frame, light, hdr, depth);
-  t.ocean.add_draw(graph, ocean_view(view), sea, light, hull, hdr, depth, view.sea_visible);
-  t.sky.add_background(graph, view.light, sky, hdr, depth, view.sky_visible);
-  t.gardner.add(graph, view.gardner, view.light, t.sky, sky, hdr, depth);
+  const UnderwaterIds under = t.ocean.add_draw(graph, ocean_view(view, wet), sea, light, hull, hdr,
+                                               depth, view.sea_visible);
+  t.sky.add_background(graph, view.light, sky, hdr, depth, sky_visible);
+  t.gardner.add(graph, gardner, view.light, t.sky, sky, hdr, depth);
   t.clouds.add_picture(graph, clouds, view.clouds, cloud_camera(view), t.sky, sky, hdr, depth,
-                       view.sky_visible);
+                       sky_visible);
+  t.ocean.add_underwater(graph, view.underwater, sea, light, under, hdr);
 
   const BufferId exposure = t.exposure.add(graph, hdr,
                                            {.exposure = view.light.exposure,

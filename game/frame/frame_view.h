@@ -8,6 +8,7 @@
 #include "engine/clouds/cloud_field.h"
 #include "engine/post/exposure_settings.h"
 #include "engine/sky/palette.h"
+#include "engine/ocean/underwater.h"
 #include "engine/sky/sky_light.h"
 #include "game/frame/boat_view.h"
 #include "game/world/world.h"
@@ -26,6 +27,7 @@ struct FrameView {
   BoatView boat;
   GardnerView gardner;
   ExposureSettings exposure;
+  UnderwaterView underwater;
   bool sea_visible = true, sky_visible = true;
 };
 

@@ -82,13 +82,13 @@ void Camera::update(const CameraSubject& subject, double dt) {
     case CameraMode::kOrbit: {
       const bool orbit = mode_ == CameraMode::kOrbit;
       const double around = orbit ? 2.4 + turned : followed_heading_ + kOffTheQuarter + turned;
-      const double down = std::clamp((orbit ? -0.22 : -0.20) + pitch_, -1.45, 0.25);
+      const double down = std::clamp((orbit ? -0.22 : -0.20) + pitch_, -1.45, orbit ? 0.9 : 0.25);
       const double radius = (orbit ? 19.0 : 17.0) * distance_;
       const glm::dvec3 centre(subject.position.x, followed_height_ + 3.4, subject.position.z);
       const glm::dquat turn = level_look(around, down);
       pose_.position = centre - turn * glm::dvec3(0.0, 0.0, -radius);
-      // Never under the crests between the eye and the boat.
-      pose_.position.y = std::max(pose_.position.y, followed_height_ + 1.2);
+      // Never under the crests between the eye and the boat; from all round one may dive.
+      if (!orbit) pose_.position.y = std::max(pose_.position.y, followed_height_ + 1.2);
       pose_.orientation = look_at(pose_.position, centre);
       break;
     }
@@ -115,6 +115,13 @@ void Camera::update(const CameraSubject& subject, double dt) {
           level_look(towards + turned, std::clamp(std::atan2(way.y, flat) + pitch_, -1.57, 1.57));
       break;
     }
+  }
+}
+
+void Camera::keep_dry(double water_height) {
+  constexpr double kOver = 0.6;  // m: more than the ripples that nobody has told of
+  if (mode_ == CameraMode::kChase || mode_ == CameraMode::kHelm || mode_ == CameraMode::kMast) {
+    pose_.position.y = std::max(pose_.position.y, water_height + kOver);
   }
 }
 

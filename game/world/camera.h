@@ -37,6 +37,9 @@ class Camera {
 
   /// Follows the subject; `dt` smooths the chase camera. The first call jumps there.
   void update(const CameraSubject& subject, double dt);
+  /// Cameras that follow her from astern or stand on deck stay over the water, whose height at the
+  /// camera this is (m). The others may dive.
+  void keep_dry(double water_height);
   const CameraPose& pose() const { return pose_; }
   double field_of_view() const { return field_of_view_; }  ///< rad, vertical
 

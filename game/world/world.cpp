@@ -21,7 +21,7 @@ void World::start() {
   before_ = boat_.state();
   time_before_ = scene_.environment.elapsed();
   draw_between(1.0);
-  camera_.update({drawn_boat_.position, drawn_boat_.orientation}, 0.0);
+  move_camera(0.0);
 }
 
 void World::update(const Helm& helm, double dt) {
@@ -38,7 +38,16 @@ void World::update(const Helm& helm, double dt) {
     }
     draw_between(std::max(owed_, 0.0) / kStep);
   }
+  move_camera(dt);
+}
+
+void World::move_camera(double dt) {
   camera_.update({drawn_boat_.position, drawn_boat_.orientation}, dt);
+  const glm::dvec2 place(camera_.pose().position.x, camera_.pose().position.z);
+  WaterSample water;
+  water_.sample({&place, 1}, drawn_time_, {&water, 1});
+  camera_.keep_dry(water.height);
+  eye_depth_ = std::max(water.height - camera_.pose().position.y, 0.0);
 }
 
 void World::apply(const Helm& helm, double dt) {

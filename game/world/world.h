@@ -47,6 +47,8 @@ class World {
 
   /// The boat between its last two steps, as it is to be drawn now.
   const BoatState& drawn_boat() const { return drawn_boat_; }
+  /// How far the camera lies under the waves, m; 0 above them.
+  double eye_depth() const { return eye_depth_; }
   /// The sea's clock of what is drawn now, s.
   double drawn_time() const { return drawn_time_; }
 
@@ -54,6 +56,7 @@ class World {
   void apply(const Helm& helm, double dt);
   void move_lever(double delta);
   void draw_between(double share);
+  void move_camera(double dt);
 
   Scene scene_;
   const WaterSurface& water_;
@@ -63,7 +66,8 @@ class World {
   BoatState before_, drawn_boat_;
   double time_before_ = 0.0, drawn_time_ = 0.0;
   bool lever_held_ = false, lever_stopped_ = false;  ///< of the motor
-  double owed_ = 0.0;                                ///< time passed and not yet simulated, s
+  double eye_depth_ = 0.0;
+  double owed_ = 0.0;  ///< time passed and not yet simulated, s
 };
 
 }  // namespace offing

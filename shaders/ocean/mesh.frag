@@ -14,5 +14,9 @@ void main() {
   vec2 dx = dFdx(parameter), dy = dFdy(parameter);
   float longer = sqrt(max(dot(dx, dx), dot(dy, dy))), shorter = sqrt(min(dot(dx, dx), dot(dy, dy)));
   float footprint = max(max(shorter, longer / FOOTPRINT_RATIO), 1.0e-3);
+#ifdef TWO_SIDED
+  // Negative where it is seen from below.
+  footprint = gl_FrontFacing ? footprint : -footprint;
+#endif
   seen = vec4(parameter, footprint, distance);
 }

@@ -14,7 +14,7 @@ vec3 distant_sea(vec3 d) {
   vec3 water = frame.sky_illuminance.rgb / kPhasePi * vec3(0.004, 0.018, 0.030);
   vec3 sun = frame.sun_illuminance.rgb * max(frame.sun_direction.y, 0.0) / kPhasePi;
   vec3 sea = kReflectance * sky_radiance(up) + water + sun * vec3(0.002, 0.009, 0.015);
-  AirLight air = air_light(d, frame.camera.y / down);
+  AirLight air = air_light(d, max(frame.camera.y, 0.0) / down);
   return sea * air.transmittance + air.inscattered;
 }
 

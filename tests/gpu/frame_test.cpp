@@ -96,6 +96,95 @@ TEST_F(Frame, NoSkyIsDrawnForAnEyeThatLooksDown) {
   EXPECT_EQ(row("sea.draw").ran, 3);
 }
 
+constexpr const char* kWetPasses[] = {"sea.solid", "sea.split", "sea.caustics", "sea.relight",
+                                      "sea.underwater"};
+
+TEST_F(Frame, WaterCostsNothingWhileTheLensIsDry) {
+  // A metre above a sea of .3 m, and from a mast's height over the usual one.
+  for (const bool low : {true, false}) {
+    voyage_.reset();
+    auto settings = looking(low ? "500,1,500" : "500,9,500", "600,0,500");
+    if (low) {
+      settings.insert(settings.end(), {"environment.wind.speed=5", "sea.swell.height=0"});
+    }
+    sail(settings, 2);
+    if (!voyage_) return;
+    for (const char* name : kWetPasses) EXPECT_EQ(row(name).skipped, 2) << name << " low: " << low;
+    EXPECT_EQ(row("sea.draw").ran, 2);
+  }
+}
+
+TEST_F(Frame, UnderWaterNothingIsDrawnOfTheAir) {
+  sail(looking("9,-3,6", "0,0,0"), 2);
+  if (!voyage_) return;
+  for (const char* name : {"sea.draw", "sky.background", "sea.split"}) {
+    EXPECT_EQ(row(name).skipped, 2) << name;
+  }
+  for (const char* name : {"sea.mesh", "sea.caustics", "sea.relight", "sea.underwater"}) {
+    EXPECT_EQ(row(name).ran, 2) << name;
+  }
+}
+
+// sail() itself looks for messages of the driver and for pixels that are not finite.
+TEST_F(Frame, ALensMayCrossTheSurface) {
+  for (const char* scene : {"environment.wind.speed=3", "environment.wind.speed=22"}) {
+    voyage_.reset();
+    auto settings = looking("7,0,5", "0,0.3,0");
+    settings.emplace_back(scene);
+    sail(settings, 2);
+    if (!voyage_) return;
+    EXPECT_EQ(row("sea.underwater").ran, 2) << scene;
+    EXPECT_EQ(row("sea.underwater").skipped, 0) << scene;
+  }
+}
+
+// Light is neither made nor lost by waves: what they gather in one place is missing in another.
+// Away from the edges, where rays come and go, the mean is 1 but for what steep facets reflect.
+TEST_F(Frame, WavesGatherLightAndMakeNone) {
+  // Waves of a metre or two: a part of a longer one would be a slope that faces the sun or not.
+  auto settings = looking("500,-2,500", "600,-2,500");
+  settings.insert(settings.end(),
+                  {"environment.wind.speed=3", "sea.fetch=1", "sea.swell.height=0"});
+  sail(settings, 1);
+  if (!voyage_) return;
+  const gl::Texture& map = voyage_->renderer().ocean().underwater().caustics();
+  const std::vector<float> values = map.read_floats(1);
+  const auto n = static_cast<std::size_t>(map.width());
+  const std::size_t edge = n / 4;
+  for (std::size_t layer = 0; layer < values.size() / (n * n); ++layer) {
+    double sum = 0.0, square = 0.0, count = 0.0;
+    for (std::size_t y = edge; y < n - edge; ++y) {
+      for (std::size_t x = edge; x < n - edge; ++x) {
+        const double value = static_cast<double>(values[(layer * n + y) * n + x]);
+        ASSERT_TRUE(std::isfinite(value) && value >= 0.0);
+        sum += value;
+        square += value * value;
+        count += 1.0;
+      }
+    }
+    // Over ten metres: at 9 m depth rays end up to .3 m aside, at random along the border.
+    EXPECT_NEAR(sum / count, 1.0, 0.04) << "layer " << layer;
+    EXPECT_GT(square / count - (sum / count) * (sum / count), 1e-3) << "layer " << layer;
+  }
+}
+
+TEST_F(Frame, AFlatSeaGathersNothing) {
+  auto settings = looking("500,-2,500", "600,-2,500");
+  settings.emplace_back("environment.wind.speed=0");
+  settings.emplace_back("sea.swell.height=0");
+  sail(settings, 1);
+  if (!voyage_) return;
+  const gl::Texture& map = voyage_->renderer().ocean().underwater().caustics();
+  const std::vector<float> values = map.read_floats(1);
+  const auto n = static_cast<std::size_t>(map.width());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t x = i % n, y = i / n % n;
+    if (x < 2 || y < 2 || x + 2 >= n || y + 2 >= n) continue;
+    // Sums of whole 1/4096ths, sixteen to a texel, as half floats.
+    ASSERT_NEAR(static_cast<double>(values[i]), 1.0, 3e-3) << x << " " << y;
+  }
+}
+
 TEST_F(Frame, TheSameVoyageGivesTheSamePicture) {
   Image first;
   for (int run = 0; run < 2; ++run) {
