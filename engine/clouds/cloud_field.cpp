@@ -17,7 +17,6 @@ namespace {
 constexpr double kEarthDiameter = 2.0 * 6.36e6;  // m, as in lib/scattering.glsl
 // Periods without a common multiple within sight, m.
 constexpr double kShapePeriod = 4300.0, kDetailPeriod = 330.0, kCurlPeriod = 1900.0;
-constexpr double kHighPeriod = 31000.0, kHighHeight = 8200.0;
 constexpr double kCurlReach = 90.0;
 /// Bases of different clouds lie this far apart at most, by type, m.
 constexpr double kBaseSpread = 190.0;
@@ -79,8 +78,7 @@ shared::CloudData cloud_data(const CloudView& view, const SkyLight& light) {
   // The tallest that any column can be: types scatter about the global one.
   const double tallest =
       glsl::cloud_kind(std::min(type + 0.15, 1.0), weather.precipitation).thickness;
-  data.eye = pack(view.eye.y, 1.0 / kEarthDiameter, weather.cover > 0.0 ? 1.0 : 0.0,
-                  weather.high > 0.0 ? 1.0 : 0.0);
+  data.eye = pack(view.eye.y, 1.0 / kEarthDiameter, weather.cover > 0.0 ? 1.0 : 0.0, 0.0);
   data.layer =
       pack(base - spread, base + spread + 1.06 * tallest * p.scale, p.extinction * p.density, base);
 
@@ -115,10 +113,9 @@ shared::CloudData cloud_data(const CloudView& view, const SkyLight& light) {
   data.phase = pack(p.forward_scattering, p.back_scattering, p.back_share, p.phase_weight);
   data.ambient = pack(p.powder, p.ambient, 0.0, 0.0);
 
-  const glm::dvec3 h = at_eye(view, cloud_carried(view, kHighHeight), kHighPeriod, 4);
-  data.high = pack(h.x, h.z, 1.0 / kHighPeriod, kHighHeight);
-  data.march = pack(p.step_scale, 0.0, 0.0, 0.0);
-  data.high_form = pack(1.0 - weather.high, 0.9 * weather.high, along.x, along.y);
+  data.march =
+      pack(p.step_scale, p.phase == static_cast<int>(CloudPhase::kDroplets) ? p.droplets_um : 0.0,
+           0.0, 0.0);
   return data;
 }
 

@@ -30,6 +30,9 @@ void CloudParameters::describe(FieldTable& table) {
       .number("cloud_absorption", cloud_absorption, {0.0, 4.0}, "", "of light on its way out")
       .number("darkness_floor", darkness_floor, {0.0, 1.0}, "",
               "least share of the sunlight anywhere in a cloud")
+      .choice("phase", phase, {"droplets", "lobes"},
+              "how droplets scatter: as they do, or in two lobes")
+      .number("droplets", droplets_um, {5.0, 50.0}, "um", "diameter of the droplets")
       .number("forward_scattering", forward_scattering, {0.0, 0.98}, "", "g of the forward lobe")
       .number("back_scattering", back_scattering, {0.0, 0.98}, "", "-g of the backward lobe")
       .number("back_share", back_share, {0.0, 1.0}, "", "share of the backward lobe")

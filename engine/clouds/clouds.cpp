@@ -18,7 +18,7 @@ CloudscapeIds Cloudscape::add_field(FrameGraph& graph, const CloudView& view,
 void Cloudscape::add_picture(FrameGraph& graph, const CloudscapeIds& ids, const CloudView& view,
                              const CloudCamera& camera, const Sky& sky, const SkyIds& sky_ids,
                              TextureId hdr, TextureId depth, bool sky_visible) {
-  const bool any = view.weather.cover > 0.0 || view.weather.high > 0.0;
+  const bool any = view.weather.cover > 0.0;
   const bool from_below = view.eye.y < field_.lowest_base();
   const bool visible = any && (sky_visible || !from_below);
   const TextureId seen = march_.add(graph, field_, ids.field, sky, sky_ids, shadow_, ids.shadow,

@@ -1,10 +1,10 @@
 // Light and transmittance of the clouds along one ray. Needs shared/frame.h before it.
 #include "sky/sky.glsl"
-#include "lib/cloud_light.glsl"
+#include "lib/phase_cloud.glsl"
+#include "lib/cloud_scattering.glsl"
 #include "clouds/density.glsl"
 #include "clouds/shadow.glsl"
 #include "clouds/air.glsl"
-#include "clouds/high.glsl"
 
 // The includer's quality: STEPS, SKIPS, FINEST (m), GROWTH (m per m of distance), REACH (m). What follows
 // is only ever changed to measure what it buys.
@@ -30,9 +30,10 @@ struct CloudRay {
   vec3 direction;
   vec3 low_light, high_light;  // lux of the light at the lowest base and at the highest top
   vec3 from_above, from_below; // mean radiance of sky and sea, cd/m^2
-  CloudOctaves phases;
-  float cosine;       // to the light
-  float similarity;   // 1 - g
+  float cosine;   // to the light
+  float phase;    // of light scattered once
+  float blurred;  // of light that was bent forward before
+  float g;        // mean cosine of a scattering
 };
 
 CloudRay cloud_ray(vec3 direction, float near) {
@@ -49,15 +50,18 @@ CloudRay cloud_ray(vec3 direction, float near) {
   vec3 sky_above = frame.sky_illuminance.rgb;
   ray.from_above = clouds.ambient.y * sky_above / kPhasePi;
   ray.from_below = ray.from_above * 0.08 + clouds.ambient.y * 0.05 / kPhasePi * ray.low_light * max(level, 0.0);
-  float g = clouds.phase.x * (1.0 - clouds.phase.z) - clouds.phase.y * clouds.phase.z;
-  ray.similarity = 1.0 - clamp(g * clouds.phase.w, 0.0, 0.95);
-  vec2 lobes = clouds.phase.xy;
-  vec2 squared = lobes * lobes;
-  vec3 phases = vec3(dual_phase(lobes.x, lobes.y, clouds.phase.z, ray.cosine),
-                     dual_phase(squared.x, squared.y, clouds.phase.z, ray.cosine),
-                     dual_phase(squared.x * squared.x, squared.y * squared.y, clouds.phase.z, ray.cosine));
-  phases = mix(vec3(0.25 / kPhasePi), phases, clouds.phase.w);
-  ray.phases = CloudOctaves(phases.x, phases.y, phases.z);
+  // Droplets of one diameter, or two lobes as in the sources.
+  vec4 lobes = clouds.phase;
+  ray.g = lobes.x * (1.0 - lobes.z) - lobes.y * lobes.z;
+  ray.phase = dual_henyey_greenstein(lobes.x, -lobes.y, lobes.z, ray.cosine);
+  for (int i = 0; i < int(clouds.march.y > 0.0); ++i) {
+    DropletPhase droplets = droplet_phase(clouds.march.y);
+    ray.g = droplet_mean_cosine(droplets);
+    ray.phase = droplet_scattering_with_bows(droplets, droplet_bows(clouds.march.y, 0.55), ray.cosine);
+  }
+  ray.g = clamp(ray.g * lobes.w, 0.0, 0.9);
+  ray.phase = mix(0.25 / kPhasePi, ray.phase, lobes.w);
+  ray.blurred = henyey_greenstein(pow(ray.g, kForwardBlur), ray.cosine);
   return ray;
 }
 
@@ -90,33 +94,34 @@ float depth_beyond(CloudPlace from, float inside, vec3 p) {
   return clouds.layer.z * from.kind.extinction * rest;
 }
 
-// Light leaving a place toward the eye, per unit of optical depth.
-vec3 cloud_source(CloudRay ray, CloudPlace place, vec3 p, float altitude, float to_light, float beyond) {
+// Light leaving a place toward the eye, per unit of optical depth: that of a slab as thick as the cloud is
+// along the light's way (lib/cloud_scattering.glsl), less what leaks out across it.
+vec3 cloud_leaving(CloudRay ray, CloudPlace place, float altitude, float to_light, float beyond) {
   float x = clamp(place.x, 0.0, 1.0);
   vec3 light = mix(ray.low_light, ray.high_light,
                    clamp((altitude - clouds.layer.x) / (clouds.layer.y - clouds.layer.x), 0.0, 1.0));
-  float depth = to_light * clouds.light.x;
-  float scaled = ray.similarity * depth;
-  float mu = mix(clamp(clouds.light_direction.y, 0.12, 1.0), 1.0, clamp(place.kind.roughness, 0.0, 1.0));
-  // Scaled depths down to the base and up to the top.
-  float full = clouds.layer.z * place.kind.extinction * ray.similarity;
-  float deep = clamp(place.inside, 0.05, 1.0);
-  float below = full * x * place.kind.thickness * clouds.form.w * deep;
-  float above = full * (1.0 - x) * place.kind.thickness * clouds.form.w * deep;
-  // Across the light's way it leaks out of base and top: a parabola between surfaces 2/3 beyond them.
-  float middle = 0.5 * (below + above) + 2.0 / 3.0;
-  float kept = (below + 2.0 / 3.0) * (above + 2.0 / 3.0) / (middle * middle);
-  kept = mix(kept, 1.0, clouds.light_direction.y * clouds.light_direction.y);
-  CloudDiffuse diffuse = cloud_diffuse(scaled * mu, (scaled + ray.similarity * beyond) * mu, mu);
-  float powder = mix(1.0, 1.0 - exp(-2.0 * depth), clouds.ambient.x * clamp(0.5 - 0.5 * ray.cosine, 0.0, 1.0));
-  float beam = cloud_beam(ray.phases, depth, scaled) * powder;
-  float scattered = kept * max(diffuse.mean + (1.0 - ray.similarity) * diffuse.flow * ray.cosine, 0.0);
-  vec3 sunlit = light * max(beam + scattered, clouds.light.z * 0.25 / kPhasePi);
-  // From sky and sea, less what the cloud keeps off (1/(1 + 3/4 t): Eddington's slab).
-  vec3 ambient = 0.5 * (ray.from_above / (1.0 + 0.75 * above) + ray.from_below / (1.0 + 0.75 * below));
+  float level = clamp(clouds.light_direction.y, 0.0, 1.0);
+  float above_light = to_light * clouds.light.x;
+  // A heap faces the light, a layer lies flat.
+  float facing = mix(max(level, 0.1), 1.0, clamp(place.kind.roughness, 0.0, 1.0));
+  CloudField field = cloud_field(above_light, above_light + beyond * clouds.light.x, facing, ray.g);
+  // Optical depths down to the base and up to the top.
+  float full = clouds.layer.z * place.kind.extinction * clamp(place.inside, 0.05, 1.0) *
+               place.kind.thickness * clouds.form.w;
+  float below = full * x, above = full * (1.0 - x);
+  // Across the light's way the field leaks out of base and top: a parabola that ends 2/3 of a scaled
+  // mean free path beyond either.
+  float scaled = 1.0 - ray.g;
+  float middle = 0.5 * scaled * full + kMarshak;
+  float kept = (scaled * below + kMarshak) * (scaled * above + kMarshak) / (middle * middle);
+  kept = mix(kept, 1.0, level * level);
+  float powder = mix(1.0, cloud_powder(above_light), clouds.ambient.x * clamp(0.5 - 0.5 * ray.cosine, 0.0, 1.0));
+  float spread = kFieldGain * kept * max(field.mean + kFieldTilt * ray.g * field.tilt * ray.cosine, 0.0);
+  float sunlit = powder * (ray.phase * field.once + ray.blurred * field.forward) + spread;
+  vec3 ambient = cloud_ambient(above, above + below, ray.from_above, ray.from_below, ray.direction.y, ray.g);
   // Near an edge the sky shows from the side as well.
-  ambient += 0.22 * ray.from_above * (1.0 - clamp(place.inside, 0.0, 1.0));
-  return (sunlit + ambient) * clouds.light.w;
+  ambient = mix(0.5 * (ray.from_above + ray.from_below), ambient, clamp(0.4 + 1.5 * place.inside, 0.0, 1.0));
+  return (light * max(sunlit, clouds.light.z * 0.25 / kPhasePi) + ambient) * clouds.light.w;
 }
 
 // The low clouds, from `near` to `far`. `jitter` 0 … 1 shifts the samples.
@@ -144,6 +149,9 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
       step_length = max(FINEST, GROWTH * t) * clouds.march.x;
       step_length = clamp(-most * 260.0 * clouds.form.w, step_length,
                           max(LONGEST_SKIP * step_length + 37.5 * LONGEST_SKIP, step_length));
+      if (LONGEST_SKIP > 0.0) {
+        step_length = max(step_length, min(cloud_clear_way(place, ray.direction), REACH));
+      }
       t += step_length;
     }
     if (t > far) break;
@@ -153,14 +161,13 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
     float erosion = cloud_erosion(place, p, footprint);
     inside -= erosion;
     float extinction = clouds.layer.z * place.kind.extinction *
-                       mix(0.55, 1.0, smoothstep(0.0, 0.35, place.x)) *
-                       cloud_mean_ramp(before, inside, kCloudEdgeWidth);
+                       cloud_filling(place.x) * cloud_mean_ramp(before, inside, kCloudEdgeWidth);
     before = inside;
     float depth = extinction * step_length * clouds.light.y;
     float altitude = cloud_altitude(p);
     float to_light = depth_to_light(place, p, footprint, depth > 1.0e-5 ? light_steps : 0);
-    vec3 source = cloud_source(ray, place, p, altitude, to_light, depth_beyond(place, inside, p));
-    float share = sight.transmittance * cloud_step_light(depth);
+    vec3 source = cloud_leaving(ray, place, altitude, to_light, depth_beyond(place, inside, p));
+    float share = sight.transmittance * (1.0 - exp(-depth));
     sight.radiance += share * source;
     weight += share;
     weighted += share * t;
@@ -180,7 +187,7 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
   return sight;
 }
 
-// All clouds along a ray from the camera.
+// The clouds along a ray from the camera, through the air.
 CloudSight cloud_sight(vec3 direction, float jitter, int light_steps) {
   CloudSpan span = cloud_span(vec3(0.0), direction);
   span.far = min(span.far, REACH) * clouds.eye.z;
@@ -192,10 +199,5 @@ CloudSight cloud_sight(vec3 direction, float jitter, int light_steps) {
   sight = march_low(ray, span.near, span.far, jitter, light_steps);
   AirLight air = cloud_air(direction, sight.distance, cloud_altitude(direction * sight.distance));
   sight.radiance = sight.radiance * air.transmittance + air.inscattered * (1.0 - sight.transmittance);
-  // The high clouds behind them.
-  HighCloud high = high_cloud(direction);
-  vec3 seen = high.radiance * high.share;
-  sight.radiance += sight.transmittance * seen;
-  sight.transmittance *= 1.0 - high.share;
   return sight;
 }

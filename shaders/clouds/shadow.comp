@@ -2,8 +2,6 @@
 // Based Sky, Atmosphere and Cloud Rendering in Frostbite", SIGGRAPH 2016). A texel stands for the ray
 // through its place on the level of the map's height. R: optical depth of the whole ray, G: height at
 // which it enters cloud, B: mean extinction from there to where it leaves.
-#include "lib/phase.glsl"
-#include "lib/cloud_light.glsl"
 #include "clouds/density.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -31,7 +29,7 @@ void main() {
     CloudPlace place = cloud_place(p);
     float inside = cloud_body(place, p, step_length * toward.y) - 0.5 * kCloudErosion * clouds.form.z;
     float share = cloud_mean_ramp(before, inside, kCloudEdgeWidth);
-    float extinction = clouds.layer.z * place.kind.extinction * share;
+    float extinction = clouds.layer.z * place.kind.extinction * cloud_filling(place.x) * share;
     // Where between the two samples the edge lies.
     float edge = inside > 0.0 ? clamp(inside / max(inside - before, 1.0e-4), 0.0, 1.0) : 0.0;
     enters = max(enters, edge > 0.0 ? cloud_altitude(p) + edge * step_length * toward.y : 0.0);

@@ -66,8 +66,24 @@ float cloud_edge(float noise, float x) { return mix(noise, 1.0 - noise, smoothst
 
 // From the signed distance to the edge (in units of `full`) to the share of full density.
 const float kCloudEdgeWidth = 0.13;
+// Clouds hold more water the higher above their base.
+float cloud_filling(float x) { return mix(0.55, 1.0, smoothstep(0.0, 0.35, x)); }
 float cloud_density_from(float inside, float x) {
-  return clamp(inside / kCloudEdgeWidth, 0.0, 1.0) * mix(0.55, 1.0, smoothstep(0.0, 0.35, x));
+  return clamp(inside / kCloudEdgeWidth, 0.0, 1.0) * cloud_filling(x);
+}
+
+// ∫ clamp(f / width, 0, 1) df from 0.
+float cloud_ramp_integral(float f, float width) {
+  float inside = clamp(f, 0.0, width);
+  return 0.5 * inside * inside / width + max(f - width, 0.0);
+}
+
+// Mean of clamp(f / width, 0, 1) while f goes evenly from a to b: what a step holds whose ends lie on
+// both sides of an edge. Exact for any length of the step where the field is linear.
+float cloud_mean_ramp(float a, float b, float width) {
+  float across = b - a;
+  if (abs(across) < 1.0e-4) return clamp(0.5 * (a + b) / width, 0.0, 1.0);
+  return clamp((cloud_ramp_integral(b, width) - cloud_ramp_integral(a, width)) / across, 0.0, 1.0);
 }
 
 // ---- The weather -----------------------------------------------------------------------------------

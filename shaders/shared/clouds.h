@@ -12,7 +12,7 @@ using glm::vec4;
 #endif
 
 struct CloudData {
-  vec4 eye;       // x: height of the camera (m); y: 1 / earth's diameter (1/m); z: 1 where there are low clouds; w: 1 where there are high ones
+  vec4 eye;       // x: height of the camera (m); y: 1 / earth's diameter (1/m); z: 1 where there are clouds; w: unused
   vec4 weather;   // xy: coordinates at the camera; z: 1 / period (1/m); w: 1 - cover
   vec4 shape;     // xyz: coordinates at the camera; w: 1 / period (1/m)
   vec4 detail;    // likewise
@@ -26,15 +26,13 @@ struct CloudData {
   vec4 light;     // x: absorption on the way in, y: out; z: least share of the sunlight; w: brightness
   vec4 phase;     // x: g forward, y: g backward (positive), z: share backward, w: weight against even scattering
   vec4 ambient;   // x: powder; y: strength of ambient light; z, w: unused
-  vec4 high;      // xy: coordinates of the high clouds at the camera; z: 1 / period (1/m); w: height (m)
-  vec4 high_form; // x: 1 - cover of the high clouds; y: their optical depth; zw: unit (x, z) along their wind
-  vec4 march;  // x: length of the steps over their usual one; y, z, w: unused
+  vec4 march;  // x: length of the steps over their usual one; y: diameter of the droplets (um), 0: two lobes; z, w: unused
   vec4 shadow_light;  // xyz: toward the light that the shadow map was made for, not flat; w: unused
   vec4 shadow;    // xy: middle of the shadow map from the camera (x, z; m); z: 1 / its side (1/m); w: its height (m over the sea)
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(CloudData) == 19 * 16);
+static_assert(sizeof(CloudData) == 17 * 16);
 }  // namespace offing::shared
 #else
 layout(std140, binding = OFFING_BIND_CLOUDS) uniform CloudBlock { CloudData clouds; };

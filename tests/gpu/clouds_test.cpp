@@ -1,0 +1,267 @@
+#include "engine/clouds/clouds.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "engine/core/angles.h"
+#include "engine/graph/gl_device.h"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/frame.h"
+#include "support/gl_test.h"
+
+#define OFFING_GLSL "shaders/lib/clouds.glsl"
+#include "engine/core/glsl_double.h"
+
+namespace offing {
+namespace {
+
+constexpr int kWidth = 96, kHeight = 54;
+
+class CloudsTest : public test::GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    if (IsSkipped()) return;
+    shaders_ = std::make_unique<ShaderLibrary>(data_root() / "shaders");
+    device_ = std::make_unique<GlDevice>();
+    graph_ = std::make_unique<FrameGraph>(*device_);
+    sky_ = std::make_unique<Sky>(*shaders_, 0);
+    clouds_ = std::make_unique<Cloudscape>(*shaders_, 0);
+    hdr_ = gl::Texture("hdr", {.format = GL_RGBA16F, .width = kWidth, .height = kHeight});
+    depth_ =
+        gl::Texture("depth", {.format = GL_DEPTH_COMPONENT32F, .width = kWidth, .height = kHeight});
+    frame_ = gl::Buffer("frame", sizeof(shared::FrameData));
+    view_.eye = {0.0, 3.0, 0.0};
+    view_.elapsed = 100.0;
+    sun_.sun.azimuth_deg = 200.0;
+    sun_.sun.elevation_deg = sun_.sun.elevation_airless_deg = 40.0;
+    sun_.moon.elevation_deg = sun_.moon.elevation_airless_deg = -50.0;
+  }
+
+  void TearDown() override {
+    clouds_.reset();
+    sky_.reset();
+    graph_.reset();
+    device_.reset();
+    shaders_.reset();
+    hdr_ = {};
+    depth_ = {};
+    frame_ = {};
+    GlTest::TearDown();
+  }
+
+  /// One frame toward a direction, with nothing but clouds over black; the pixels, bottom row
+  /// first.
+  std::vector<float> draw(double azimuth_deg, double pitch_deg, double fov_deg = 70.0) {
+    const SkyLight& light = model_.update(sun_, 0.1, view_.eye.y);
+    const double a = radians(azimuth_deg), p = radians(pitch_deg);
+    const glm::vec3 forward(
+        glm::dvec3(std::sin(a) * std::cos(p), std::sin(p), -std::cos(a) * std::cos(p)));
+    const glm::mat4 look = glm::lookAt(glm::vec3(0.0f), forward, glm::vec3(0.0f, 1.0f, 0.0f));
+    const auto half = static_cast<float>(std::tan(radians(fov_deg) / 2.0));  // of the width
+    glm::mat4 clip(0.0f);
+    clip[0][0] = 1.0f / half;
+    clip[1][1] = static_cast<float>(kWidth) / (half * kHeight);
+    clip[2][3] = -1.0f;
+    clip[3][2] = 0.1f;
+    shared::FrameData frame{};
+    frame.clip_from_relative = clip * look;
+    frame.relative_from_clip = glm::inverse(frame.clip_from_relative);
+    frame.viewport = {kWidth, kHeight, 1.0f / kWidth, 1.0f / kHeight};
+    frame.camera = {0.0f, view_.eye.y, 0.0f, 2.0f * half / kWidth};
+    light.fill(frame);
+    frame_.write(frame);
+    frame_.bind_uniform(OFFING_BIND_FRAME);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    const float nothing[4] = {0, 0, 0, 1};
+    glClearTexImage(hdr_.id(), 0, GL_RGBA, GL_FLOAT, nothing);
+    glClearTexImage(depth_.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, nothing);
+    graph_->begin_frame();
+    const SkyIds sky = sky_->add_tables(*graph_, light);
+    const CloudscapeIds clouds = clouds_->add_field(*graph_, view_, light);
+    const TextureId hdr = graph_->import(hdr_);
+    const CloudCamera camera{
+        {kWidth, kHeight}, frame.clip_from_relative, view_.eye, light.exposure};
+    clouds_->add_picture(*graph_, clouds, view_, camera, *sky_, sky, hdr, graph_->import(depth_),
+                         sky_in_view(frame.relative_from_clip, view_.eye.y));
+    graph_->add(
+        "show", [&](PassBuilder& pass) { pass.read(hdr).side_effect(); }, [](PassContext&) {});
+    graph_->execute();
+    return hdr_.read_floats(4);
+  }
+
+  const PassReport& row(const std::string& name) const {
+    for (const PassReport& r : graph_->report()) {
+      if (r.name == name) return r;
+    }
+    throw std::runtime_error("no pass " + name);
+  }
+
+  static double mean(const std::vector<float>& picture) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < picture.size(); i += 4) sum += picture[i];
+    return 4.0 * sum / static_cast<double>(picture.size());
+  }
+  static double difference(const std::vector<float>& a, const std::vector<float>& b) {
+    double sum = 0.0;
+    for (std::size_t i = 1; i < a.size(); i += 4) sum += std::abs(a[i] - b[i]);
+    return 4.0 * sum / static_cast<double>(a.size());
+  }
+
+  std::unique_ptr<ShaderLibrary> shaders_;
+  std::unique_ptr<GlDevice> device_;
+  std::unique_ptr<FrameGraph> graph_;
+  std::unique_ptr<Sky> sky_;
+  std::unique_ptr<Cloudscape> clouds_;
+  gl::Texture hdr_, depth_;
+  gl::Buffer frame_;
+  SkyLightModel model_;
+  CelestialState sun_;
+  CloudView view_;
+};
+
+TEST_F(CloudsTest, AClearSkyCostsNothing) {
+  view_.weather.cover = 0.0;
+  draw(90.0, 20.0);
+  for (const char* name : {"clouds.noise", "clouds.pack", "clouds.weather", "clouds.shadow",
+                           "clouds.march", "clouds.composite"}) {
+    EXPECT_EQ(row(name).ran, 0) << name;
+  }
+  EXPECT_EQ(row("clouds.march").skipped, 1);
+  // Nor does a look at the water.
+  view_.weather.cover = 0.5;
+  draw(90.0, -60.0, 40.0);
+  EXPECT_EQ(row("clouds.march").ran, 0);
+}
+
+TEST_F(CloudsTest, AStandingClockIsNotMarchedAgain) {
+  constexpr int kRounds = 2 * 16;  // of the cells of quality low
+  for (int frame = 0; frame < kRounds + 6; ++frame) draw(90.0, 20.0);
+  EXPECT_LE(row("clouds.march").ran, kRounds + 1);
+  EXPECT_GE(row("clouds.march").cached, 4);
+  EXPECT_EQ(row("clouds.weather").ran, 1);
+  EXPECT_EQ(row("clouds.noise").ran, 1);
+  EXPECT_EQ(row("clouds.shadow").ran, 1);
+  // And the picture stays.
+  const std::vector<float> before = draw(90.0, 20.0);
+  EXPECT_EQ(difference(before, draw(90.0, 20.0)), 0.0);
+}
+
+TEST_F(CloudsTest, MoreCoverHidesMoreSky) {
+  double last = -1.0;
+  for (const double cover : {0.05, 0.25, 0.5, 0.75, 1.0}) {
+    clouds_ = std::make_unique<Cloudscape>(*shaders_, 0);
+    view_.weather.cover = cover;
+    const double light = mean(draw(20.0, 35.0, 100.0));
+    EXPECT_GT(light, last) << cover;
+    last = light;
+  }
+}
+
+TEST_F(CloudsTest, FollowsATurnOfTheCameraWithinEightFrames) {
+  // History against a picture that is marched whole: after a pan of 16 degrees, eight frames later.
+  for (int frame = 0; frame < 20; ++frame) draw(90.0, 20.0);
+  for (int frame = 1; frame <= 8; ++frame) draw(90.0 + 2.0 * frame, 20.0);
+  std::vector<float> followed;
+  for (int frame = 0; frame < 8; ++frame) followed = draw(106.0, 20.0);
+  clouds_ = std::make_unique<Cloudscape>(*shaders_, 0);
+  const std::vector<float> whole = draw(106.0, 20.0);
+  EXPECT_GT(mean(whole), 0.01);
+  EXPECT_LT(difference(followed, whole), 0.08 * mean(whole));
+}
+
+TEST_F(CloudsTest, EverywhereAndInEveryLightIsFinite) {
+  // Sun overhead, at the horizon, below it and exactly along the axes; eye below, inside and above.
+  for (const double elevation : {90.0, 40.0, 0.0, -3.0}) {
+    for (const double height : {3.0, 900.0, 4000.0}) {
+      sun_.sun.azimuth_deg = 180.0;
+      sun_.sun.elevation_deg = sun_.sun.elevation_airless_deg = elevation;
+      view_.eye.y = height;
+      view_.weather.cover = 0.6;
+      clouds_ = std::make_unique<Cloudscape>(*shaders_, 0);
+      for (const float value : draw(180.0, height > 1000.0 ? -20.0 : 10.0)) {
+        ASSERT_TRUE(std::isfinite(value) && value >= 0.0f) << elevation << " " << height;
+      }
+    }
+  }
+}
+
+TEST_F(CloudsTest, TheShadowMapHoldsTheDepthOfTheField) {
+  // Without noise the field is the weather alone, and can be integrated in double from the map.
+  view_.weather = {.cover = 0.6, .type = 0.5, .precipitation = 0.0, .high = 0.0};
+  view_.parameters.roughness = 0.0;
+  view_.parameters.erosion = 0.0;
+  view_.parameters.shear = 0.0;
+  const SkyLight& light = model_.update(sun_, 0.1, view_.eye.y);
+  shared::CloudData data = cloud_data(view_, light);
+  std::vector<float> weather, shadow;
+  graph_->begin_frame();
+  const CloudscapeIds ids = clouds_->add_field(*graph_, view_, light);
+  graph_->add(
+      "read",
+      [&](PassBuilder& pass) { pass.read(ids.field.weather).read(ids.shadow.map).side_effect(); },
+      [&](PassContext& context) {
+        weather = context.texture(ids.field.weather).read_floats(4);
+        shadow = context.texture(ids.shadow.map).read_floats(4);
+      });
+  graph_->execute();
+
+  constexpr int kWeather = WeatherMap::kTexels, kShadow = CloudShadow::kTexels;
+  const auto weather_at = [&](glm::dvec2 plan, int channel) {
+    const glm::dvec2 at = (glm::dvec2(data.weather) + plan * static_cast<double>(data.weather.z)) *
+                              static_cast<double>(kWeather) -
+                          0.5;
+    const glm::dvec2 cell = glm::floor(at), f = at - cell;
+    const auto texel = [&](int i, int j) {
+      const int x = ((static_cast<int>(cell.x) + i) % kWeather + kWeather) % kWeather;
+      const int y = ((static_cast<int>(cell.y) + j) % kWeather + kWeather) % kWeather;
+      return static_cast<double>(
+          weather[static_cast<std::size_t>(4 * (y * kWeather + x) + channel)]);
+    };
+    return glm::mix(glm::mix(texel(0, 0), texel(1, 0), f.x),
+                    glm::mix(texel(0, 1), texel(1, 1), f.x), f.y);
+  };
+  // The map's middle lies at a step of its own grid.
+  const glm::dvec3 toward = glm::normalize(glm::dvec3(data.light_direction));
+  const glm::dvec2 eye = glm::dvec2(0.0) - cloud_carried(view_, data.layer.w);
+  const double grid = CloudShadow::kSide / 8.0;
+  const glm::dvec2 middle = grid * glm::round(eye / grid) - eye;
+  double worst = 0.0, sum = 0.0, exact_sum = 0.0;
+  int compared = 0;
+  for (int y = 20; y < kShadow; y += 11) {
+    for (int x = 20; x < kShadow; x += 11) {
+      const glm::dvec2 plan =
+          middle +
+          ((glm::dvec2(x, y) + 0.5) / static_cast<double>(kShadow) - 0.5) * CloudShadow::kSide;
+      double depth = 0.0;
+      constexpr int kSteps = 3000;
+      const double up = (data.layer.y - data.layer.w) / toward.y;
+      const double down = (data.layer.x - data.layer.w) / toward.y;
+      for (int i = 0; i < kSteps; ++i) {
+        const double t = down + (up - down) * (i + 0.5) / kSteps;
+        const glm::dvec2 p = plan + t * glm::dvec2(toward.x, toward.z);
+        const double altitude = data.layer.w + t * toward.y;
+        const glsl::CloudKind kind = glsl::cloud_kind(weather_at(p, 1), weather_at(p, 3));
+        const double base = glm::mix(static_cast<double>(data.layer.x),
+                                     2.0 * data.layer.w - data.layer.x, weather_at(p, 2));
+        const double h = (altitude - base) / kind.thickness;
+        const double inside = glsl::cloud_strength(kind, weather_at(p, 0) - data.weather.w) -
+                              glsl::cloud_outline(kind, 0.0, h);
+        depth += data.layer.z * kind.extinction * glsl::cloud_filling(h) *
+                 std::clamp(inside / glsl::kCloudEdgeWidth, 0.0, 1.0) * (up - down) / kSteps;
+      }
+      const double seen = shadow[static_cast<std::size_t>(4 * (y * kShadow + x))];
+      worst = std::max(worst, std::abs(std::exp(-0.15 * seen) - std::exp(-0.15 * depth)));
+      sum += seen;
+      exact_sum += depth;
+      ++compared;
+    }
+  }
+  EXPECT_GT(exact_sum / compared, 0.5);
+  EXPECT_NEAR(sum / exact_sum, 1.0, 0.03);
+  EXPECT_LT(worst, 0.1);
+}
+
+}  // namespace
+}  // namespace offing
