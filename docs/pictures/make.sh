@@ -15,3 +15,8 @@ shot gale gale 45
 shot sunset sunset 15
 shot moonlight moonlight 15
 shot helm default 15 --set camera.mode=helm
+# The boat from her deck and from astern, in three sea states.
+for wind in 4 9 15; do
+  shot "boat_deck_$wind" default 45 --set camera.mode=helm --set environment.wind.speed="$wind"
+  shot "boat_astern_$wind" default 45 --set camera.mode=chase --set environment.wind.speed="$wind"
+done

@@ -49,6 +49,7 @@ Techniques::Techniques(ShaderLibrary& shaders, const Quality& quality,
            load_model(boat_model.empty() ? data_root() / "assets/models/r8/r8.glb" : boat_model,
                       kBoatNodeNames),
            load_boat_textures(data_root() / "assets/textures")),
+      flotsam(shaders, load_model(data_root() / "assets/models/flotsam/flotsam.glb", kFlotsam)),
       tonemap(shaders),
       frame_block("frame", sizeof(shared::FrameData)) {}
 
@@ -67,7 +68,8 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   const SkyIds sky = t.sky.add_tables(graph, view.light);
   const SeaIds sea = t.ocean.add_maps(graph, view.sea_time);
   const TextureId hull = t.boat.add_mask(graph, view.boat, view.frame);
-  t.boat.add(graph, view.boat, view.frame, hdr, depth);
+  t.boat.add(graph, view.boat, view.frame, light_access(t.sky, sky), hdr, depth);
+  t.flotsam.add(graph, view.flotsam, view.frame, light_access(t.sky, sky), hdr, depth);
   t.ocean.add_draw(graph, ocean_view(view), sea, light_access(t.sky, sky), hull, hdr, depth,
                    view.sea_visible);
   t.sky.add_background(graph, view.light, sky, hdr, depth, view.sky_visible);

@@ -9,6 +9,7 @@
 #include "engine/shader/shader_library.h"
 #include "engine/sky/sky.h"
 #include "game/frame/boat_pass.h"
+#include "game/frame/flotsam_pass.h"
 #include "game/frame/frame_view.h"
 #include "game/frame/quality.h"
 
@@ -23,6 +24,7 @@ struct Techniques {
   Sky sky;
   Ocean ocean;
   BoatPass boat;
+  FlotsamPass flotsam;
   Tonemap tonemap;
   gl::Buffer frame_block;  ///< shared::FrameData
 };

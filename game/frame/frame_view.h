@@ -2,12 +2,21 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <vector>
+
 #include "engine/sky/sky_light.h"
 #include "game/frame/boat_view.h"
 #include "game/world/world.h"
 #include "shaders/shared/frame.h"
 
 namespace offing {
+
+/// A thing afloat, to be drawn.
+struct FlotsamView {
+  int kind = 0;              ///< index into kFlotsam (world.h)
+  glm::vec3 position{0.0f};  ///< m, less the camera's place
+  glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f};
+};
 
 /// One frame as data: all that crosses from the simulation to the picture. Never changed once made.
 struct FrameView {
@@ -17,6 +26,7 @@ struct FrameView {
   double sea_time = 0.0;    ///< s
   SkyLight light;
   BoatView boat;
+  std::vector<FlotsamView> flotsam;
   bool sea_visible = true, sky_visible = true;
 };
 

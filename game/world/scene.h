@@ -38,6 +38,7 @@ struct Scene {
   SeaState sea;
   BoatStart boat;
   CameraStart camera;
+  bool flotsam = true;  ///< barrel, crate and raft float about the start
   int seed = 1;
   double sea_time = 0.0;  ///< the sea's clock at the start, s
 

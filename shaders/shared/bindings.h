@@ -9,6 +9,8 @@
 #define OFFING_BIND_SKY 1    // shared/sky.h
 #define OFFING_BIND_CLOUDS 2  // shared/clouds.h
 #define OFFING_BIND_PROBE 3  // shared/probe.h
+#define OFFING_BIND_BOAT 4   // shared/boat.h
+#define OFFING_BIND_CLOTH 5  // shared/cloth.h
 
 // Texture units
 #define OFFING_UNIT_SKY_SUN 8         // sky view of the sun

@@ -40,5 +40,6 @@ struct BoatData {
 static_assert(sizeof(BoatData) == 64 + 64 * kBoatNodes + 32 * kBoatMaterials + 2 * 64);
 }  // namespace offing::shared
 #else
-layout(std140, binding = 1) uniform BoatBlock { BoatData boat; };
+#include "shared/bindings.h"
+layout(std140, binding = OFFING_BIND_BOAT) uniform BoatBlock { BoatData boat; };
 #endif

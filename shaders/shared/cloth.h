@@ -21,5 +21,6 @@ struct ClothParameters {
 static_assert(sizeof(ClothParameters) == 112);
 }  // namespace offing::shared
 #else
-layout(std140, binding = 2) uniform ClothBlock { ClothParameters cloth; };
+#include "shared/bindings.h"
+layout(std140, binding = OFFING_BIND_CLOTH) uniform ClothBlock { ClothParameters cloth; };
 #endif
