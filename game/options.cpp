@@ -17,8 +17,10 @@ namespace {
 const std::map<std::string, std::string> kVerbs = {
     {"play", "sail in a window (what no verb means)"},
     {"render", "draw pictures without a window"},
-    {"export", "data for other tools: ocean, heights, ephemeris, polar or boat"},
-    {"bench", "measure run time, and error where there is one: boat or frame"},
+    {"export", "data for other tools: ocean, heights, sky, clouds, ephemeris, polar or boat"},
+    {"bench",
+     "measure run time, and error where there is one: frame, ocean, query, stress, sky, probe, "
+     "clouds or boat"},
 };
 
 std::string list_keys() {

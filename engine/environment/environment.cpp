@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "engine/core/angles.h"
 #include "engine/environment/calendar.h"
@@ -13,6 +14,7 @@ namespace {
 constexpr double kRoughnessLength = 0.005;  // metres: a moderately rough sea
 constexpr double kReferenceHeight = 10.0;   // metres
 constexpr double kLowestHeight = 0.05;      // metres
+constexpr double kPaces[] = {-1440.0, -60.0, -1.0, 1.0, 60.0, 1440.0};  // of the clock
 constexpr const char* kDefaultDate = "2026-08-12";
 constexpr const char* kDefaultTime = "15:30:00";
 
@@ -61,9 +63,20 @@ void Environment::apply_fields() {
   set_utc_seconds(date && time && !same ? *date + *time : utc_seconds_);
 }
 
+void Environment::quicken() {
+  const auto* next = std::upper_bound(std::begin(kPaces), std::end(kPaces), clock_rate);
+  clock_rate = next == std::end(kPaces) ? *(next - 1) : *next;
+}
+
+void Environment::slow_down() {
+  const auto* next = std::lower_bound(std::begin(kPaces), std::end(kPaces), clock_rate);
+  clock_rate = next == std::begin(kPaces) ? *next : *(next - 1);
+}
+
 void Environment::advance(double dt) {
   if (paused) return;
   elapsed_ += dt;
+  air_drift_ += dt * wind_velocity();
   const glm::dvec2 moved = gust_origin_ + dt * wind_velocity();
   gust_origin_ = {wrapped(moved.x, GustField::kPeriod), wrapped(moved.y, GustField::kPeriod)};
   set_utc_seconds(utc_seconds_ + clock_rate * dt);
@@ -82,6 +95,7 @@ void Environment::set_utc_seconds(double seconds) {
 
 void Environment::set_elapsed(double seconds) {
   elapsed_ = seconds;
+  air_drift_ = seconds * wind_velocity();
   const glm::dvec2 moved = seconds * wind_velocity();
   gust_origin_ = {wrapped(moved.x, GustField::kPeriod), wrapped(moved.y, GustField::kPeriod)};
 }

@@ -45,6 +45,11 @@ class Environment {
   /// Takes over date and time as set through the table: call after setting fields.
   void apply_fields();
 
+  /// The next quicker or slower pace of the clock: a day in a minute, an hour in a minute, as it
+  /// runs, and the same backwards.
+  void quicken();
+  void slow_down();
+
   /// Moves clock and sea time on by dt seconds (nothing while paused). dt may be negative.
   void advance(double dt);
 
@@ -69,6 +74,8 @@ class Environment {
   double gust_factor(glm::dvec2 position) const;
   /// Where the gust field's origin lies now (x, z; metres, within one period), for its texture.
   glm::dvec2 gust_origin() const { return gust_origin_; }
+  /// How far the mean wind at 10 m has carried the air since time 0 (x, z; m): where clouds are.
+  glm::dvec2 air_drift() const { return air_drift_; }
 
   /// Sun and moon for the clock and the place.
   const CelestialState& celestial() const;
@@ -78,6 +85,7 @@ class Environment {
   double utc_seconds_ = 0.0;
   double elapsed_ = 0.0;
   glm::dvec2 gust_origin_{0.0};
+  glm::dvec2 air_drift_{0.0};
   mutable Ephemeris ephemeris_;
   mutable CelestialState celestial_;
   mutable double celestial_key_[3] = {1e300, 0.0, 0.0};

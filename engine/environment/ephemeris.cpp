@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <iterator>
 #include <mutex>
 
@@ -98,6 +99,36 @@ glm::dmat3 true_from_j2000_ecliptic(double t) {
   const glm::dmat3 nutate =
       rotate_x(-obliquity - n.obliquity) * rotate_z(-n.longitude) * rotate_x(obliquity);
   return nutate * precession * rotate_x(-mean_obliquity(0.0));
+}
+
+/// Turns the moon's own axes (x to the middle of its near side, z to its north) to the true equator
+/// and equinox of date. Cassini's laws: its equator lies 1.54242 degrees to the ecliptic and
+/// descends through it where the orbit ascends; it turns with the mean longitude (Meeus, chapter
+/// 53).
+glm::dmat3 equatorial_from_moon(double t) {
+  constexpr double kInclination = radians(1.54242);
+  const double f = radians(
+      std::fmod(93.2720993 + t * (483202.0175273 + t * (-0.0034029 - t / 3526000.0)), 360.0));
+  const double node =
+      radians(std::fmod(125.0445550 + t * (-1934.1361849 + t * (0.0020762 + t / 467410.0)), 360.0));
+  const Nutation n = nutation(t);
+  const glm::dmat3 moon_from_ecliptic =
+      rotate_z(f) * rotate_x(kInclination) * rotate_z(node + n.longitude + kPi);
+  return rotate_x(-mean_obliquity(t) - n.obliquity) * glm::transpose(moon_from_ecliptic);
+}
+
+/// The earth's shadow at the moon, for geocentric places in km. Air makes it a fiftieth larger.
+EarthShadow shadow_at_moon(const glm::dvec3& sun, const glm::dvec3& moon) {
+  constexpr double kEarthKm = 6371.0 * 1.02;
+  const double sun_distance = glm::length(sun);
+  const glm::dvec3 along = -sun / sun_distance;
+  const double behind = glm::dot(moon, along);
+  EarthShadow shadow;
+  if (behind <= 0.0) return shadow;  // on the sunny side there is none
+  shadow.axis = (along * behind - moon) / kMoonRadiusKm;
+  shadow.umbra = (kEarthKm - behind * (kSunRadiusKm - kEarthKm) / sun_distance) / kMoonRadiusKm;
+  shadow.penumbra = (kEarthKm + behind * (kSunRadiusKm + kEarthKm) / sun_distance) / kMoonRadiusKm;
+  return shadow;
 }
 
 /// Greenwich apparent sidereal time in radians (Meeus 12.4 and the equation of the equinoxes).
@@ -237,6 +268,10 @@ CelestialState Ephemeris::at(double utc_seconds, double latitude_deg, double lon
   const double cl = std::cos(latitude), sl = std::sin(latitude);
   state.world_from_equatorial = glm::dmat3(-s, cl * c, sl * c, c, cl * s, sl * s, 0.0, sl, -cl);
 
+  state.world_from_j2000 =
+      state.world_from_equatorial * true_from_j2000_ecliptic(t) * rotate_x(mean_obliquity(0.0));
+  state.world_from_moon = state.world_from_equatorial * equatorial_from_moon(t);
+
   const glm::dvec3 observer = observer_km(latitude, sidereal);
   state.sun = sky_position(sun_km - observer, kSunRadiusKm, state.world_from_equatorial);
   state.moon = sky_position(moon_km - observer, kMoonRadiusKm, state.world_from_equatorial);
@@ -247,6 +282,9 @@ CelestialState Ephemeris::at(double utc_seconds, double latitude_deg, double lon
   const double cos_phase = std::clamp(glm::dot(moon_to_sun, glm::normalize(-moon_km)), -1.0, 1.0);
   state.moon_phase_angle_deg = degrees(std::acos(cos_phase));
   state.moon_lit_fraction = 0.5 * (1.0 + cos_phase);
+  state.sun_from_moon = state.world_from_equatorial * moon_to_sun;
+  state.earth_shadow = shadow_at_moon(sun_km, moon_km);
+  state.earth_shadow.axis = state.world_from_equatorial * state.earth_shadow.axis;
   return state;
 }
 

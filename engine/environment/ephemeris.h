@@ -16,6 +16,13 @@ struct SkyPosition {
   glm::dvec3 direction() const;
 };
 
+/// The earth's shadow where the moon is, in radii of the moon.
+struct EarthShadow {
+  glm::dvec3 axis{1e3, 0.0,
+                  0.0};  ///< from the moon's centre to the nearest point of its axis, world
+  double umbra = 2.6, penumbra = 4.7;  ///< radii
+};
+
 struct CelestialState {
   SkyPosition sun, moon;
   double moon_lit_fraction = 0.0;     ///< 0 new to 1 full, seen from the centre of the earth
@@ -24,8 +31,15 @@ struct CelestialState {
   double moon_distance_km = 384400.0;
   double sidereal_time_h = 0.0;  ///< apparent, local
   /// Turns equatorial coordinates of date (x to the equinox, z to the pole) to the world's axes
-  /// (x east, y up, z south), without refraction: for the stars.
+  /// (x east, y up, z south), without refraction.
   glm::dmat3 world_from_equatorial{1.0};
+  /// The same for the mean equator and equinox of J2000: for the stars.
+  glm::dmat3 world_from_j2000{1.0};
+  /// Columns: where the middle of the moon's near side, its east and its north point to in the
+  /// world (Cassini's laws: no physical libration, which stays below 0.05 degrees).
+  glm::dmat3 world_from_moon{1.0};
+  glm::dvec3 sun_from_moon{0.0, 1.0, 0.0};  ///< unit vector, world
+  EarthShadow earth_shadow;
 };
 
 /// Sun and moon at `utc_seconds` since 1970-01-01 (UTC) seen from a place (degrees, north and east

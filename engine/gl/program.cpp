@@ -85,6 +85,9 @@ void Program::set(int location, glm::vec4 value) const {
 void Program::set(int location, glm::ivec2 value) const {
   glProgramUniform2i(id(), location, value.x, value.y);
 }
+void Program::set(int location, glm::ivec4 value) const {
+  glProgramUniform4i(id(), location, value.x, value.y, value.z, value.w);
+}
 void Program::set(int location, const glm::mat4& value) const {
   glProgramUniformMatrix4fv(id(), location, 1, GL_FALSE, glm::value_ptr(value));
 }

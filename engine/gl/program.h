@@ -51,6 +51,7 @@ class Program {
   void set(int location, glm::vec3 value) const;
   void set(int location, glm::vec4 value) const;
   void set(int location, glm::ivec2 value) const;
+  void set(int location, glm::ivec4 value) const;
   void set(int location, const glm::mat4& value) const;
 
  private:

@@ -64,4 +64,23 @@ bool ReadbackRing::poll(Result* out) {
   return true;
 }
 
+bool ReadbackRing::poll_oldest(Result* out) {
+  int oldest = -1;
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    if (slots_[i].fence == nullptr) continue;
+    if (oldest < 0 || slots_[i].sequence < slots_[static_cast<std::size_t>(oldest)].sequence) {
+      oldest = static_cast<int>(i);
+    }
+  }
+  if (oldest < 0) return false;
+  Slot& slot = slots_[static_cast<std::size_t>(oldest)];
+  const GLenum state = glClientWaitSync(slot.fence, 0, 0);
+  if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) return false;
+  glDeleteSync(slot.fence);
+  slot.fence = nullptr;
+  held_ = oldest;
+  *out = {slot.tag, {slot.mapped, slot.buffer.size()}};
+  return true;
+}
+
 }  // namespace offing::gl

@@ -32,6 +32,8 @@ class ReadbackRing {
   /// The newest result that has arrived since the last call, if any; older ones are dropped.
   /// Never blocks. `out` is only written on true.
   bool poll(Result* out);
+  /// The oldest result that has arrived and has not been taken, for who needs every one.
+  bool poll_oldest(Result* out);
 
  private:
   struct Slot {

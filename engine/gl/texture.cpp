@@ -61,6 +61,14 @@ void Texture::upload(GLenum format, GLenum type, const void* pixels, int level, 
   }
 }
 
+void Texture::copy_from(GLuint buffer, GLenum format, GLenum type) const {
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTextureSubImage3D(id(), 0, 0, 0, 0, desc_.width, desc_.height, std::max(desc_.layers, 1),
+                      format, type, nullptr);
+  glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+}
+
 void Texture::generate_mipmaps() const { glGenerateTextureMipmap(id()); }
 
 std::vector<float> Texture::read_floats(int channels, int level) const {

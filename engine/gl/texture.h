@@ -39,6 +39,8 @@ class Texture {
 
   /// Fills one level (of one layer, where there are any) from tightly packed client memory.
   void upload(GLenum format, GLenum type, const void* pixels, int level = 0, int layer = 0) const;
+  /// Fills all layers of level 0 from a buffer, tightly packed.
+  void copy_from(GLuint buffer, GLenum format, GLenum type) const;
   void generate_mipmaps() const;
   /// All channels of one level as floats, row 0 first; synchronous: for tests and exports.
   std::vector<float> read_floats(int channels, int level = 0) const;

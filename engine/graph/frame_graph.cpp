@@ -76,6 +76,7 @@ struct Pass {
   bool draws = false;
   bool side_effect = false;
   bool skip = false;
+  bool unchanged = false;
   PassMemory* memory = nullptr;
   std::uint64_t key = 0;
   bool live = false;
@@ -317,6 +318,10 @@ void FrameGraph::execute() {
     const bool keeps_outputs = std::all_of(pass.uses.begin(), pass.uses.end(), [&](const Use& use) {
       return !use.writes || impl.resources[use.resource].imported;
     });
+    if (pass.unchanged) {
+      ++report_[row].cached;
+      continue;
+    }
     if (pass.memory != nullptr && keeps_outputs && pass.memory->valid_ &&
         pass.memory->key_ == key) {
       ++report_[row].cached;
@@ -426,6 +431,11 @@ PassBuilder& PassBuilder::side_effect() {
 PassBuilder& PassBuilder::cache(PassMemory& memory, std::uint64_t key) {
   graph_.impl_->passes[pass_].memory = &memory;
   graph_.impl_->passes[pass_].key = key;
+  return *this;
+}
+
+PassBuilder& PassBuilder::cached_if(bool condition) {
+  graph_.impl_->passes[pass_].unchanged |= condition;
   return *this;
 }
 

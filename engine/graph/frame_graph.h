@@ -75,6 +75,10 @@ class PassBuilder {
   /// The outputs depend on nothing but `key` and the resources read: where both are as they were
   /// when the pass last ran and all outputs are imported, it does not run again.
   PassBuilder& cache(PassMemory& memory, std::uint64_t key);
+  /// For a pass that knows by itself whether there is work: where `condition`, its outputs are as
+  /// they were when it last ran, and it counts as cached. Declare what it writes either way, all of
+  /// it imported.
+  PassBuilder& cached_if(bool condition);
   /// Nothing on screen shows the subject: the pass does not run, and what only it needed neither.
   PassBuilder& skip_if(bool condition);
 

@@ -6,10 +6,12 @@
 #include "engine/core/angles.h"
 #include "engine/ocean/surface_point.h"
 
+#define OFFING_GLSL "shaders/lib/waves.glsl"
+#include "engine/core/glsl_double.h"
+
 namespace offing {
 
-DirectWater::DirectWater(std::span<const Cascade> cascades, double choppiness)
-    : choppiness_(choppiness) {
+DirectWater::DirectWater(std::span<const Cascade> cascades, double choppiness) {
   for (const Cascade& cascade : cascades) {
     Waves waves{.dk = kTau / cascade.band.length,
                 .cosine = std::cos(cascade.band.angle),
@@ -23,8 +25,10 @@ DirectWater::DirectWater(std::span<const Cascade> cascades, double choppiness)
         const int half = cascade.size / 2;
         const int nx = ix < half ? ix : ix - cascade.size, nz = iz < half ? iz : iz - cascade.size;
         waves.reach = std::max({waves.reach, std::abs(nx), std::abs(nz)});
-        waves.waves.push_back(
-            {nx, nz, 2.0 * cascade.h0[cell], cascade.frequency[cell], cascade.wave_vector(ix, iz)});
+        const glm::dvec2 k = cascade.wave_vector(ix, iz);
+        const double w = cascade.frequency[cell], length = glm::length(k);
+        waves.waves.push_back({nx, nz, 2.0 * cascade.h0[cell], w, k,
+                               choppiness * glsl::wave_sideways(length, w) / length * k});
       }
     }
     cascades_.push_back(std::move(waves));
@@ -64,9 +68,9 @@ DirectPoint DirectWater::sum(
       const std::complex<double> h = amplitudes[c][i] *
                                      along_x[static_cast<std::size_t>(wave.nx + cascade.reach)] *
                                      along_z[static_cast<std::size_t>(wave.nz + cascade.reach)];
-      // For h = Re a: dh/dx = Re(i k a), dh/dt = Re(-i w a), D = Re(i c (k/|k|) a).
+      // For h = Re a: dh/dx = Re(i k a), dh/dt = Re(-i w a), D = Re(i u a).
       const double real = h.real(), imag = h.imag();
-      const glm::dvec2 u = choppiness_ * wave.k / glm::length(wave.k);
+      const glm::dvec2 u = wave.u;
       point.displacement += glm::dvec3(-u.x * imag, real, -u.y * imag);
       point.velocity += wave.frequency * glm::dvec3(u.x * real, imag, u.y * real);
       point.slope -= wave.k * imag;
@@ -94,10 +98,9 @@ void DirectWater::sample(std::span<const glm::dvec2> points, double time,
       const DirectPoint p = sum(q, waves);
       return SurfacePoint{p.displacement, p.slope, p.dxx, p.dzz, p.dxz};
     };
-    const glm::dvec2 q = parameter_at(points[i], 1e-6, 60, at);
-    const DirectPoint p = sum(q, waves);
-    out[i] = {p.displacement.y, surface_normal({p.displacement, p.slope, p.dxx, p.dzz, p.dxz}),
-              p.velocity};
+    const Meeting met = meet_surface(points[i], 1e-6, 60, at);
+    out[i] = {met.point.displacement.y, surface_normal(met.point),
+              sum(met.parameter, waves).velocity};
   }
 }
 

@@ -35,6 +35,7 @@ class DirectWater final : public WaterSurface {
     std::complex<double> h0;  // twice, for the sum over half the plane
     double frequency;
     glm::dvec2 k;
+    glm::dvec2 u;  // of D = i u H: c coth(kh) k / |k|
   };
   struct Waves {
     double dk, cosine, sine;
@@ -47,7 +48,6 @@ class DirectWater final : public WaterSurface {
                   const std::vector<std::vector<std::complex<double>>>& amplitudes) const;
 
   std::vector<Waves> cascades_;
-  double choppiness_;
 };
 
 }  // namespace offing

@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/core/angles.h"
-#include "engine/core/random.h"
+#include "engine/ocean/crossfade.h"
+#include "engine/ocean/fft_moments.h"
 #include "engine/ocean/foam_pattern.h"
+#include "shaders/shared/bindings.h"
 #include "shaders/shared/ocean.h"
-
-#define OFFING_GLSL "shaders/lib/water.glsl"
-#include "engine/core/glsl_double.h"
 
 namespace offing {
 namespace {
 
-constexpr GLuint kBlockBinding = 2;
+constexpr double kAtOnce = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMaxSquares = 8192;
 constexpr double kFoamLength = 7.3;  // m across the wind; no multiple of a cascade's length
 constexpr int kFoamTexels = 256;
@@ -54,8 +54,9 @@ OceanSettings OceanSettings::of_quality(int quality) {
 
 Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
     : settings_(settings),
+      shaders_(shaders),
       maps_(shaders, settings.cascades, settings.size),
-      readback_(std::min(settings.readback_cascades, settings.cascades), settings.size),
+      water_(std::make_unique<FftMoments>()),
       mesh_{.cells = settings.mesh_cells, .finest_spacing = 3.2 / settings.mesh_cells},
       mesh_program_(
           shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"},
@@ -99,34 +100,80 @@ void Ocean::make_grid() {
 }
 
 void Ocean::set_sea(const SeaState& state, const Environment& environment, std::uint64_t seed) {
-  const glm::dvec2 to = environment.wind_to();
-  const double speed = environment.wind.speed;
-  const std::uint64_t key =
-      hash_of(state.spectrum, state.spreading, state.fetch_km, state.depth_m, state.choppiness,
-              state.swell.height, state.swell.period, state.swell.from_deg, speed, to, seed);
+  choose_queries(state.queries);
+  const std::uint64_t key = key_of(state, environment, seed);
   if (!cascades_.empty() && key == sea_key_) return;
   sea_key_ = key;
+  fading_ = false;
+  show(make_sea(state, environment, seed, settings_.cascades, settings_.size));
+  water_.set_waves(query_waves(cascades_), choppiness_, kAtOnce);
+}
 
-  const SeaSpectrum spectrum(state, speed, to);
-  const auto bands = choose_bands(spectrum, settings_.cascades, settings_.size);
-  cascades_.clear();
-  SlopeVariance carried;
-  for (std::size_t c = 0; c < bands.size(); ++c) {
-    cascades_.push_back(
-        make_cascade(spectrum, bands[c], settings_.size, seed, static_cast<int>(c)));
-    carried += cascades_.back().resolved[0];
+void Ocean::turn_to(const SeaState& state, const Environment& environment, std::uint64_t seed,
+                    double time) {
+  if (cascades_.empty()) return set_sea(state, environment, seed);
+  choose_queries(state.queries);
+  const std::uint64_t key = key_of(state, environment, seed);
+  if (key == sea_key_ || fading_) return;
+  sea_key_ = key;
+  from_ = {cascades_,    statistics_, slope_variance_, choppiness_,
+           white_share_, wind_speed_, wind_to_};
+  to_ = make_sea(state, environment, seed, settings_.cascades, settings_.size);
+  fading_ = true;
+  begin_ = time + GpuMoments::kAhead;  // until then the new waves can be known on the CPU
+  water_.set_waves(query_waves(to_.cascades), to_.choppiness, begin_);
+}
+
+std::shared_ptr<const QueryWaves> Ocean::query_waves(std::span<const Cascade> cascades) const {
+  return std::make_shared<const QueryWaves>(cascades,
+                                            std::min(settings_.query_cascades, settings_.cascades));
+}
+
+void Ocean::choose_queries(int method) {
+  if (method == queries_) return;
+  queries_ = method;
+  gpu_moments_ = nullptr;
+  if (method == kReadbackQueries) {
+    auto moments = std::make_unique<GpuMoments>(shaders_);
+    gpu_moments_ = moments.get();
+    water_.set_source(std::move(moments));
+  } else {
+    water_.set_source(std::make_unique<FftMoments>());
   }
-  statistics_ = spectrum.statistics();
-  choppiness_ = state.choppiness;
-  wind_speed_ = speed;
-  wind_to_ = to;
-  white_share_ = glsl::whitecap_share(speed);
-  // Ripples that no cascade carries: what Cox and Munk saw beyond the waves we have.
-  slope_variance_ = cox_munk(speed, to);
-  slope_variance_.xx = std::max(slope_variance_.xx, carried.xx + 5e-4);
-  slope_variance_.zz = std::max(slope_variance_.zz, carried.zz + 5e-4);
+}
+
+void Ocean::fade(double time) {
+  if (!fading_ || time < begin_) return;
+  if (time < begin_ + kCrossfadeSeconds) return show(blend(from_, to_, time - begin_));
+  fading_ = false;
+  show(std::move(to_));
+  from_ = to_ = {};
+}
+
+void Ocean::show(Sea sea) {
+  cascades_ = std::move(sea.cascades);
+  statistics_ = sea.statistics;
+  slope_variance_ = sea.slope_variance;
+  choppiness_ = sea.choppiness;
+  white_share_ = sea.white_share;
+  wind_speed_ = sea.wind_speed;
+  wind_to_ = sea.wind_to;
   maps_.set_waves(cascades_, choppiness_);
-  readback_.set_waves(cascades_);
+}
+
+void Ocean::prime(FrameGraph& graph, double time) {
+  constexpr int kMostFrames = 16;
+  for (int frame = 0; frame < kMostFrames && water_.age(time) > 0.0; ++frame) {
+    graph.begin_frame();
+    add_maps(graph, time);
+    graph.execute();
+    glFinish();
+    collect();
+  }
+}
+
+void Ocean::collect() {
+  if (gpu_moments_ != nullptr) gpu_moments_->collect();
 }
 
 double Ocean::carried_variance() const {
@@ -136,8 +183,9 @@ double Ocean::carried_variance() const {
 }
 
 SeaIds Ocean::add_maps(FrameGraph& graph, double time, bool readback) {
+  fade(time);
   const SeaIds ids = maps_.add(graph, time);
-  if (readback) readback_.add_copy(graph, ids, time);
+  if (readback && gpu_moments_ != nullptr) gpu_moments_->add(graph, time);
   return ids;
 }
 
@@ -211,7 +259,7 @@ void Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea
         context.texture(sea.displacement).bind(0);
         context.texture(dry).bind(3);
         map_sampler_.bind(0);
-        block_.bind_uniform(kBlockBinding);
+        block_.bind_uniform(OFFING_BIND_OCEAN);
         mesh_program_.use();
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_GREATER);
@@ -241,7 +289,7 @@ void Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea
         map_sampler_.bind(0);
         map_sampler_.bind(1);
         foam_sampler_.bind(2);
-        block_.bind_uniform(kBlockBinding);
+        block_.bind_uniform(OFFING_BIND_OCEAN);
         bind_sky(context);
         surface_.use();
         glDisable(GL_DEPTH_TEST);

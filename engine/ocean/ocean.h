@@ -10,10 +10,12 @@
 #include "engine/environment/environment.h"
 #include "engine/gl/program.h"
 #include "engine/graph/frame_graph.h"
-#include "engine/ocean/readback_water.h"
+#include "engine/ocean/gpu_moments.h"
+#include "engine/ocean/sea.h"
 #include "engine/ocean/sea_maps.h"
 #include "engine/ocean/sea_mesh.h"
 #include "engine/ocean/sea_state.h"
+#include "engine/ocean/sea_water.h"
 #include "engine/ocean/spectrum.h"
 #include "engine/shader/shader_library.h"
 
@@ -23,8 +25,9 @@ struct OceanSettings {
   int cascades = 3;    ///< 1 to 5
   int size = 128;      ///< points per side of a cascade: 64, 128, 256 or 512
   int mesh_cells = 8;  ///< per side of a mesh square; even; the mesh grows with its square
-  /// Cascades whose displacement comes back for water queries, from the longest on.
-  int readback_cascades = 2;
+  /// Cascades that water queries know, from the longest on: two hold the waves down to some 3 m
+  /// that move a boat, the same at every quality.
+  int query_cascades = 2;
 
   /// 0 low, 1 medium, 2 high, 3 ultra.
   static OceanSettings of_quality(int quality);
@@ -49,13 +52,20 @@ class Ocean {
  public:
   Ocean(ShaderLibrary& shaders, const OceanSettings& settings);
 
-  /// Computes waves for this sea state and wind where any of it has changed (some ms), else does
-  /// nothing.
+  /// Another sea at once: for a start. Computes waves (some ms) where any of this has changed, else
+  /// does nothing.
   void set_sea(const SeaState& state, const Environment& environment, std::uint64_t seed);
+  /// Another sea by and by: from a quarter second after `time` on (the sea's clock) it fades over
+  /// in a second, in the picture and for what floats alike. To be called every frame: does nothing
+  /// where nothing has changed, and waits for a fade that is under way.
+  void turn_to(const SeaState& state, const Environment& environment, std::uint64_t seed,
+               double time);
 
-  /// Adds sea.spectrum, sea.fft, sea.maps and, where `readback`, sea.readback for the sea's clock
-  /// `time` (s).
+  /// Adds sea.spectrum, sea.fft, sea.maps for the sea's clock `time` (s) and, where floating things
+  /// are told by the GPU and `readback`, sea.moment and sea.readback.
   SeaIds add_maps(FrameGraph& graph, double time, bool readback = true);
+  /// Makes the water known around `time`. Waits: for starts only.
+  void prime(FrameGraph& graph, double time);
 
   /// Adds sea.mesh, which finds what water each pixel shows, and sea.draw: its light into `hdr`
   /// (radiance × exposure) and `depth` (reversed). The frame's FrameData must be bound when the
@@ -66,9 +76,9 @@ class Ocean {
                 TextureId dry, TextureId hdr, TextureId depth, bool visible);
 
   /// Takes in what has come back of the sea; never waits.
-  void collect() { readback_.collect(); }
+  void collect();
   /// Heights of the water for physics; safe from any thread.
-  const ReadbackWater& water() const { return readback_; }
+  const WaterSurface& water() const { return water_; }
 
   const SeaStatistics& statistics() const { return statistics_; }
   /// Expected height variance of the waves that the cascades carry, m^2.
@@ -80,11 +90,17 @@ class Ocean {
 
  private:
   void make_grid();
+  void show(Sea sea);
+  void choose_queries(int method);
+  void fade(double time);
+  std::shared_ptr<const QueryWaves> query_waves(std::span<const Cascade> cascades) const;
   void update_block(const OceanView& view);
 
   OceanSettings settings_;
+  ShaderLibrary& shaders_;
   SeaMaps maps_;
-  ReadbackWater readback_;
+  GpuMoments* gpu_moments_ = nullptr;  ///< of water_, where it asks the GPU
+  SeaWater water_;
   SeaMesh mesh_;
   const ShaderProgram& mesh_program_;
   const ShaderProgram& surface_;
@@ -95,6 +111,11 @@ class Ocean {
   int index_count_ = 0;
 
   std::uint64_t sea_key_ = 0;
+  Sea from_, to_;       ///< what a fade goes from and to; empty outside
+  double begin_ = 0.0;  ///< of the fade, the sea's clock
+  bool fading_ = false;
+  int queries_ = kDirectQueries;
+  // What is shown now.
   std::vector<Cascade> cascades_;
   SeaStatistics statistics_;
   SlopeVariance slope_variance_;

@@ -2,10 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <bit>
-#include <cmath>
-
-#include "engine/core/angles.h"
 #include "engine/core/error.h"
 #include "engine/core/random.h"
 #include "shaders/shared/ocean.h"
@@ -13,29 +9,7 @@
 namespace offing {
 namespace {
 
-struct Radices {
-  int a, b;
-};
-Radices radices(int size) {
-  switch (size) {
-    case 64:
-      return {8, 8};
-    case 128:
-      return {16, 8};
-    case 256:
-      return {16, 16};
-    case 512:
-      return {32, 16};
-    default:
-      throw InputError(
-          fmt::format("ocean: cascades of {0} x {0} points: must be 64, 128, 256 or 512", size));
-  }
-}
-
-ShaderDefines fft_defines(int size) {
-  const auto [a, b] = radices(size);
-  return {{"RADIX_A", std::to_string(a)}, {"RADIX_B", std::to_string(b)}};
-}
+constexpr int kFields = 4;  // eight real fields in four complex ones
 
 int checked_cascades(int cascades) {
   if (cascades < 1 || cascades > shared::kOceanMaxCascades) {
@@ -45,13 +19,14 @@ int checked_cascades(int cascades) {
   return cascades;
 }
 
-gl::Buffer make_twiddles(int size) {
-  std::vector<float> values;
-  for (int j = 0; j < size; ++j) {
-    values.push_back(static_cast<float>(std::cos(kTau * j / size)));
-    values.push_back(static_cast<float>(std::sin(kTau * j / size)));
-  }
-  return gl::Buffer::of<float>("sea.twiddles", values);
+ShaderDefines row_defines(int size, MapStorage storage) {
+  ShaderDefines defines = transform_defines(size, kFields);
+  if (storage == MapStorage::kHalfSlopes) defines.emplace_back("HALF_SLOPES", "");
+  return defines;
+}
+
+std::size_t float_bytes(MapStorage storage) {
+  return storage == MapStorage::kHalfSlopes ? sizeof(float) / 2 : sizeof(float);
 }
 
 std::size_t points(int cascades, int size) {
@@ -61,51 +36,34 @@ std::size_t points(int cascades, int size) {
 
 }  // namespace
 
-SeaMaps::SeaMaps(ShaderLibrary& shaders, int cascades, int size)
+SeaMaps::SeaMaps(ShaderLibrary& shaders, int cascades, int size, MapStorage storage)
     : cascades_(checked_cascades(cascades)),
       size_(size),
-      columns_(shaders.program({"ocean/columns.comp"}, fft_defines(size))),
-      rows_(shaders.program({"ocean/rows.comp"}, fft_defines(size))),
+      storage_(storage),
+      columns_(shaders.program({"ocean/columns.comp"}, transform_defines(size, kFields))),
+      rows_(shaders.program({"ocean/rows.comp"}, row_defines(size, storage))),
       levels_(shaders.program({"ocean/levels.comp"})),
-      modes_host_(points(cascades, size) * 4, 0.0f),
-      grids_host_(static_cast<std::size_t>(cascades) * 4, 0.0f),
       twiddles_(make_twiddles(size)),
-      modes_("sea.modes", modes_host_.size() * sizeof(float)),
-      grids_("sea.grids", grids_host_.size() * sizeof(float)),
-      // Four complex fields, of which half the rows carry waves.
-      work_("sea.work", points(cascades, size) / 2 * 4 * 2 * sizeof(float), 0),
+      modes_("sea.modes", points(cascades, size) * 4 * sizeof(float)),
+      grids_("sea.grids", static_cast<std::size_t>(cascades) * 4 * sizeof(float)),
+      work_("sea.work", work_bytes(cascades, size, kFields), 0),
+      displacement_points_("sea.displacement points", points(cascades, size) * 4 * sizeof(float),
+                           0),
+      slope_points_("sea.slope points", points(cascades, size) * float_bytes(storage) * 4, 0),
       displacement_("sea.displacement", {.format = GL_RGBA32F,
                                          .width = size,
                                          .height = size,
                                          .layers = cascades,
                                          .levels = shared::kOceanMapLevels}),
-      slopes_("sea.slopes", {.format = GL_RGBA16F,
+      slopes_("sea.slopes", {.format = static_cast<GLenum>(
+                                 storage == MapStorage::kHalfSlopes ? GL_RGBA16F : GL_RGBA32F),
                              .width = size,
                              .height = size,
                              .layers = cascades,
                              .levels = shared::kOceanMapLevels}) {}
 
 void SeaMaps::set_waves(std::span<const Cascade> cascades, double choppiness) {
-  float* mode = modes_host_.data();
-  float* grid = grids_host_.data();
-  for (const Cascade& cascade : cascades) {
-    for (int x = 0; x < size_; ++x) {  // the transform starts with columns: [x][z]
-      for (int z = 0; z < size_; ++z) {
-        const auto cell = static_cast<std::size_t>(z * size_ + x);
-        const double turns = cascade.frequency[cell] / kTau;
-        const auto high = static_cast<float>(turns);
-        *mode++ = static_cast<float>(cascade.h0[cell].real());
-        *mode++ = static_cast<float>(cascade.h0[cell].imag());
-        *mode++ = high;
-        *mode++ = static_cast<float>(turns - static_cast<double>(high));
-      }
-    }
-    const double dk = kTau / cascade.band.length;
-    *grid++ = static_cast<float>(dk * std::cos(cascade.band.angle));
-    *grid++ = static_cast<float>(dk * std::sin(cascade.band.angle));
-    *grid++ = static_cast<float>(choppiness);
-    *grid++ = 0.0f;
-  }
+  packed_ = pack_modes(cascades, choppiness);
   ++waves_generation_;
 }
 
@@ -121,8 +79,8 @@ SeaIds SeaMaps::add(FrameGraph& graph, double time) {
         pass.cache(spectrum_memory_, waves_generation_);
       },
       [this](PassContext&) {
-        modes_.write(modes_host_.data(), modes_host_.size() * sizeof(float));
-        grids_.write(grids_host_.data(), grids_host_.size() * sizeof(float));
+        modes_.write(packed_.modes.data(), packed_.modes.size() * sizeof(float));
+        grids_.write(packed_.grids.data(), packed_.grids.size() * sizeof(float));
       });
 
   graph.add(
@@ -137,26 +95,30 @@ SeaIds SeaMaps::add(FrameGraph& graph, double time) {
         work_.bind_storage(2);
         grids_.bind_storage(3);
         columns_.use();
-        const auto bits = std::bit_cast<std::uint64_t>(time);
-        columns_.program().set(0, glm::ivec2(static_cast<std::int32_t>(bits & 0xffffffffu),
-                                             static_cast<std::int32_t>(bits >> 32)));
-        glDispatchCompute(static_cast<GLuint>(size_ / 2), static_cast<GLuint>(cascades_), 1);
+        set_time(columns_, time);
+        glDispatchCompute(static_cast<GLuint>(groups_for(size_ / 2, size_)),
+                          static_cast<GLuint>(cascades_), 1);
       });
 
   graph.add(
       "sea.maps",
       [&](PassBuilder& pass) {
-        pass.read(work).write(ids.displacement).write(ids.slopes);
+        pass.read(work).read(grids).write(ids.displacement).write(ids.slopes);
         pass.cache(maps_memory_, hash_of(rows_.generation(), levels_.generation()));
       },
       [this](PassContext&) {
         twiddles_.bind_storage(1);
         work_.bind_storage(2);
-        displacement_.bind_image(0, GL_WRITE_ONLY);
-        slopes_.bind_image(1, GL_WRITE_ONLY);
+        grids_.bind_storage(3);
+        displacement_points_.bind_storage(4);
+        slope_points_.bind_storage(5);
         rows_.use();
-        glDispatchCompute(static_cast<GLuint>(size_), static_cast<GLuint>(cascades_), 1);
-        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+        glDispatchCompute(static_cast<GLuint>(groups_for(size_, size_)),
+                          static_cast<GLuint>(cascades_), 1);
+        glMemoryBarrier(GL_PIXEL_BUFFER_BARRIER_BIT);
+        displacement_.copy_from(displacement_points_.id(), GL_RGBA, GL_FLOAT);
+        slopes_.copy_from(slope_points_.id(), GL_RGBA,
+                          storage_ == MapStorage::kHalfSlopes ? GL_HALF_FLOAT : GL_FLOAT);
         levels_.use();
         for (const gl::Texture* map : {&displacement_, &slopes_}) {
           map->bind(0);

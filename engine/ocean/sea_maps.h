@@ -1,20 +1,23 @@
 #pragma once
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "engine/gl/buffer.h"
 #include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
+#include "engine/ocean/sea_transform.h"
 #include "engine/ocean/spectrum.h"
 #include "engine/shader/shader_library.h"
 
 namespace offing {
 
+/// How maps are kept: all in single precision, or slopes as half floats (66 dB instead of 120).
+enum class MapStorage : std::uint8_t { kSingle, kHalfSlopes };
+
 /// The sea's maps of this frame: arrays with one layer per cascade.
 struct SeaIds {
   TextureId displacement;  ///< Dx, h, Dz, Dxz = dDx/dz; metres, float
-  TextureId slopes;        ///< dh/dx, dh/dz, Dxx, Dzz; half float
+  TextureId slopes;        ///< dh/dx, dh/dz, Dxx, Dzz
 };
 
 /// Makes the displacement and slope maps of a set of cascades for a moment: uploads the random
@@ -23,7 +26,7 @@ struct SeaIds {
 class SeaMaps {
  public:
   /// `size` is 64, 128, 256 or 512.
-  SeaMaps(ShaderLibrary& shaders, int cascades, int size);
+  SeaMaps(ShaderLibrary& shaders, int cascades, int size, MapStorage storage = MapStorage::kSingle);
 
   /// Takes other waves (as many cascades of the same size as at the start).
   void set_waves(std::span<const Cascade> cascades, double choppiness);
@@ -39,13 +42,13 @@ class SeaMaps {
 
  private:
   int cascades_, size_;
+  MapStorage storage_;
   const ShaderProgram& columns_;
   const ShaderProgram& rows_;
   const ShaderProgram& levels_;
-  std::vector<float> modes_host_;
-  std::vector<float> grids_host_;
+  SeaModes packed_;
   unsigned waves_generation_ = 0;
-  gl::Buffer twiddles_, modes_, grids_, work_;
+  gl::Buffer twiddles_, modes_, grids_, work_, displacement_points_, slope_points_;
   gl::Texture displacement_, slopes_;
   PassMemory spectrum_memory_, fft_memory_, maps_memory_;
 };

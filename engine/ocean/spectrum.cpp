@@ -12,9 +12,8 @@
 namespace offing {
 namespace {
 
-constexpr double kCos2sExponent = 6.0;   // mean of a wind sea: 10 near the peak, less in the tail
-constexpr double kSwellExponent = 75.0;  // Goda & Suzuki 1975 for swell of long decay distance
-constexpr double kCalmWind = 0.1;        // m/s: less raises no waves
+constexpr double kCos2sExponent = 6.0;  // mean of a wind sea: 10 near the peak, less in the tail
+constexpr double kCalmWind = 0.1;       // m/s: less raises no waves
 constexpr int kSamplesPerWave = 4;
 
 glm::dvec2 direction_to(double from_deg) {
@@ -24,6 +23,15 @@ glm::dvec2 direction_to(double from_deg) {
 
 double angle_between(glm::dvec2 k, glm::dvec2 direction) {
   return std::atan2(direction.x * k.y - direction.y * k.x, glm::dot(k, direction));
+}
+
+// Table of the norms of elongated_shape(): octaves of frequency on both sides of the peak.
+constexpr double kNormReach = 6.0;
+constexpr double kNormsPerOctave = 64.0;
+
+double elongated_shape(double angle, double beta, double exponent) {
+  return glsl::spread_donelan_banner(angle, beta) *
+         std::pow(std::max(std::abs(std::cos(0.5 * angle)), 1e-30), 2.0 * exponent);
 }
 
 /// The index of a grid place as a signed wave number.
@@ -58,6 +66,19 @@ SeaSpectrum::SeaSpectrum(const SeaState& state, double wind_speed, glm::dvec2 wi
       longest_peak_ = std::max(longest_peak_, kTau / glsl::wave_number(peak, state_.depth_m));
     }
   }
+  if (wind_peak_ > 0.0 && state_.spreading == kDonelanBanner && state_.elongation > 0.0) {
+    // The trapezium rule round a full circle of a smooth shape: exact to rounding.
+    constexpr int kAngles = 256;
+    for (int i = 0; i <= static_cast<int>(2.0 * kNormReach * kNormsPerOctave); ++i) {
+      const double w = wind_peak_ * std::exp2(i / kNormsPerOctave - kNormReach);
+      double sum = 0.0;
+      for (int a = 0; a < kAngles; ++a) {
+        sum += elongated_shape(kTau * a / kAngles - kPi, glsl::donelan_banner_beta(w, wind_peak_),
+                               glsl::swell_elongation_exponent(w, wind_peak_, state_.elongation));
+      }
+      elongated_norms_.push_back(kAngles / (kTau * sum));
+    }
+  }
   statistics_ = integrate();
 }
 
@@ -76,17 +97,33 @@ double SeaSpectrum::wind_sea(double w, double k) const {
 }
 
 double SeaSpectrum::wind_spreading(double w, double angle) const {
+  const double longer = glsl::swell_elongation_exponent(w, wind_peak_, state_.elongation);
   switch (state_.spreading) {
     case kCos2s:
-      return glsl::spread_cos2s(angle, kCos2sExponent);
+      return glsl::spread_cos2s(angle, kCos2sExponent + longer);
     case kMitsuyasu:
-      return glsl::spread_cos2s(angle, glsl::mitsuyasu_exponent(w, wind_peak_, wind_speed_));
+      return glsl::spread_cos2s(angle,
+                                glsl::mitsuyasu_exponent(w, wind_peak_, wind_speed_) + longer);
     case kHasselmann:
-      return glsl::spread_cos2s(angle, glsl::hasselmann_exponent(w, wind_peak_, wind_speed_));
+      return glsl::spread_cos2s(angle,
+                                glsl::hasselmann_exponent(w, wind_peak_, wind_speed_) + longer);
     case kDonelanBanner:
+      if (state_.elongation > 0.0) return elongated_donelan_banner(w, angle);
       return glsl::spread_donelan_banner(angle, glsl::donelan_banner_beta(w, wind_peak_));
   }
   return 0.0;
+}
+
+double SeaSpectrum::elongated_donelan_banner(double w, double angle) const {
+  // The product of both shapes has no integral in closed form: tabulated over log2(w / peak).
+  const double at = (std::clamp(std::log2(w / wind_peak_), -kNormReach, kNormReach) + kNormReach) *
+                    kNormsPerOctave;
+  const auto first = std::min(static_cast<std::size_t>(at), elongated_norms_.size() - 2);
+  const double part = at - static_cast<double>(first);
+  const double norm =
+      elongated_norms_[first] + part * (elongated_norms_[first + 1] - elongated_norms_[first]);
+  return norm * elongated_shape(angle, glsl::donelan_banner_beta(w, wind_peak_),
+                                glsl::swell_elongation_exponent(w, wind_peak_, state_.elongation));
 }
 
 double SeaSpectrum::frequency(double k) const { return glsl::wave_frequency(k, state_.depth_m); }
@@ -106,8 +143,9 @@ double SeaSpectrum::density(glm::dvec2 wave_vector) const {
     directional = wind * wind_spreading(w, angle_between(wave_vector, wind_to_));
   }
   if (swell_peak_ > 0.0) {
-    directional += glsl::swell_spectrum(w, state_.swell.height, swell_peak_) *
-                   glsl::spread_cos2s(angle_between(wave_vector, swell_to_), kSwellExponent);
+    directional +=
+        glsl::swell_spectrum(w, state_.swell.height, swell_peak_) *
+        glsl::spread_cos2s(angle_between(wave_vector, swell_to_), state_.swell.spreading);
   }
   return directional * glsl::wave_group_speed(k, state_.depth_m) / k;
 }
@@ -139,22 +177,24 @@ SeaStatistics SeaSpectrum::integrate() const {
 }
 
 std::vector<CascadeBand> choose_bands(const SeaSpectrum& spectrum, int count, int size) {
-  // The first patch holds a few of the longest waves, the last brings ripples to the viewer's feet;
-  // the others lie between in equal ratios. The first is rounded to steps of sqrt(2), so that small
-  // changes of the wind leave all lengths alone. Odd factors keep the periods incommensurate.
-  constexpr double kLast = 10.37;
+  // The first patch holds a few of the longest waves, the third brings ripples to the viewer's
+  // feet; the second lies between in equal ratios. More of them go on to finer ripples. The first
+  // is rounded to steps of sqrt(2), so that small changes of the wind leave all lengths alone. Odd
+  // factors keep the periods incommensurate.
+  constexpr double kThird = 10.37, kFiner = 0.2931;
   const double wanted = std::clamp(5.0 * spectrum.longest_peak(), 256.0, 3000.0);
   const double first = 1.0193 * std::exp2(std::ceil(2.0 * std::log2(wanted)) / 2.0);
+  // Half a wave number less than four points per wave: then all cells with energy have indices
+  // below size / 4, which is what the transform relies on.
+  const double most = static_cast<double>(size) / kSamplesPerWave - 0.5;
   std::vector<CascadeBand> bands(static_cast<std::size_t>(count));
   for (int c = 0; c < count; ++c) {
     CascadeBand& band = bands[static_cast<std::size_t>(c)];
-    const double share = count > 1 ? static_cast<double>(c) / (count - 1) : 0.0;
-    band.length = first * std::pow(kLast / first, share);
+    band.length = c <= 2 ? first * std::pow(kThird / first, 0.5 * c)
+                         : kThird * std::pow(kFiner, static_cast<double>(c - 2));
     band.angle = 0.6180339887 * c;
     band.k_min = c == 0 ? 0.0 : bands[static_cast<std::size_t>(c - 1)].k_max;
-    // Half a wave number less than four points per wave: then all cells with energy have indices
-    // below size / 4, which is what the transform relies on.
-    band.k_max = kTau / band.length * (size / kSamplesPerWave - 0.5);
+    band.k_max = kTau / band.length * (c < count - 1 ? std::min(most, kSharedPeriods) : most);
   }
   return bands;
 }

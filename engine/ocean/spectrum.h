@@ -46,6 +46,7 @@ class SeaSpectrum {
  private:
   double wind_sea(double w, double k) const;
   double wind_spreading(double w, double angle) const;
+  double elongated_donelan_banner(double w, double angle) const;
   SeaStatistics integrate() const;
 
   SeaState state_;
@@ -55,6 +56,7 @@ class SeaSpectrum {
   double swell_peak_ = 0.0;  ///< rad/s; 0 without a swell
   double alpha_ = 0.0;
   double longest_peak_ = 0.0;
+  std::vector<double> elongated_norms_;  ///< by frequency, for Donelan-Banner drawn out
   SeaStatistics statistics_;
 };
 
@@ -65,8 +67,13 @@ struct CascadeBand {
   double k_min = 0.0, k_max = 0.0;
 };
 
-/// Bands that meet without overlap or gap. Lengths depend on the sea, not on `size`, so that a
-/// finer grid has the same long waves; every wave gets at least four grid points.
+/// Waves longer than those with this many periods per patch lie in all grids from 128 points on.
+inline constexpr double kSharedPeriods = 31.5;
+
+/// Bands that meet without overlap or gap; every wave gets at least four grid points. Lengths and
+/// the edges between bands depend on the sea alone wherever `size` is 128 or more, so that a finer
+/// grid or one more cascade has the same waves and adds finer ones to them: what floats feels the
+/// same sea at every quality.
 std::vector<CascadeBand> choose_bands(const SeaSpectrum& spectrum, int count, int size);
 
 /// Levels of the maps that have an entry in Cascade::resolved.

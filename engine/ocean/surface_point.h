@@ -23,29 +23,37 @@ inline glm::dvec3 surface_normal(const SurfacePoint& p) {
   return glm::normalize(glm::dvec3(-sx, 1.0, -sz));
 }
 
-/// The parameter whose water is at `place`: solves q + D(q) = place. Newton's method with the
-/// Jacobian's determinant held at 0.2 or more, so that steep crests slow it down instead of
-/// throwing it away; stops when the place is met within `tolerance` (m) or after `limit` steps.
+/// Where a search for the water at a place has ended.
+struct Meeting {
+  glm::dvec2 parameter{0.0};
+  SurfacePoint point;    ///< the surface there
+  glm::dvec2 rest{0.0};  ///< what Newton's next step would still add to the parameter
+};
+
+/// The water at `place`: solves q + D(q) = place for q. Newton's method with the Jacobian's
+/// determinant held at 0.2 or more, so that steep crests slow it down instead of throwing it away;
+/// stops when the place is met within `tolerance` (m) or after `limit` steps, and gives the best
+/// of what it saw.
 template <class Surface>
-glm::dvec2 parameter_at(glm::dvec2 place, double tolerance, int limit, const Surface& surface) {
+Meeting meet_surface(glm::dvec2 place, double tolerance, int limit, const Surface& surface) {
   glm::dvec2 q = place;
-  glm::dvec2 best = q;
+  Meeting best;
   double best_miss = 1e300;
   for (int i = 0; i < limit; ++i) {
     const SurfacePoint p = surface(q);
     const glm::dvec2 miss = q + glm::dvec2(p.displacement.x, p.displacement.z) - place;
     const double distance = glm::length(miss);
-    if (distance < best_miss) {
-      best_miss = distance;
-      best = q;
-    }
-    if (distance < tolerance) break;
     const double jacobian = std::max((1.0 + p.dxx) * (1.0 + p.dzz) - p.dxz * p.dxz, 0.2);
     glm::dvec2 step{((1.0 + p.dzz) * miss.x - p.dxz * miss.y) / jacobian,
                     ((1.0 + p.dxx) * miss.y - p.dxz * miss.x) / jacobian};
     // Never further than the miss by more than twice: where D is nearly folded Newton overshoots.
     const double length = glm::length(step);
     if (length > 2.0 * distance) step *= 2.0 * distance / length;
+    if (distance < best_miss) {
+      best_miss = distance;
+      best = {q, p, -step};
+    }
+    if (distance < tolerance) break;
     q -= step;
   }
   return best;

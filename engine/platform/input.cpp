@@ -23,6 +23,7 @@ constexpr KeyPair kKeys[] = {
     {GLFW_KEY_F, Key::kF},
     {GLFW_KEY_G, Key::kG},
     {GLFW_KEY_H, Key::kH},
+    {GLFW_KEY_I, Key::kI},
     {GLFW_KEY_O, Key::kO},
     {GLFW_KEY_P, Key::kP},
     {GLFW_KEY_R, Key::kR},

@@ -18,6 +18,7 @@ enum class Key {
   kF,
   kG,
   kH,
+  kI,
   kO,
   kP,
   kR,

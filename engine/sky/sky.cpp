@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <span>
 
 #include "engine/core/random.h"
+#include "engine/sky/milky_way.h"
 #include "engine/sky/stars.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/sky.h"
@@ -34,7 +36,8 @@ constexpr double kLowestSine = -0.3256;
 
 constexpr int kDomeVertices = 96 * 3;  // as in dome.vert
 
-constexpr double kStarLux = 2.54e-6;  // magnitude 0, above the air
+constexpr float kGlareReach = 16.0f;  // as in moon.frag
+constexpr float kCoronaReach = 8.0f;  // as in sun.frag
 constexpr double kEarthshine = 0.25;  // cd/m^2 on the moon at new moon
 
 gl::Texture cleared(const std::string& label, int width, int height) {
@@ -42,6 +45,8 @@ gl::Texture cleared(const std::string& label, int width, int height) {
   glClearTexImage(texture.id(), 0, GL_RGBA, GL_FLOAT, nullptr);
   return texture;
 }
+
+double luminance(const glm::dvec3& c) { return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
 GLuint groups(int size) { return static_cast<GLuint>((size + 7) / 8); }
 
@@ -56,6 +61,21 @@ ShaderDefines steps(int quality) {
 
 glm::vec4 pack(const glm::dvec3& v, double w) {
   return glm::vec4(glm::vec3(v), static_cast<float>(w));
+}
+
+/// One star as stars.vert reads it.
+struct StarVertex {
+  glm::vec4 direction_lux, tint_seed;
+};
+
+std::vector<StarVertex> star_vertices(const std::vector<Star>& stars) {
+  std::vector<StarVertex> vertices;
+  for (std::uint64_t i = 0; i < stars.size(); ++i) {
+    const Star& star = stars[i];
+    vertices.push_back({pack(star.direction, kStarLux * std::pow(10.0, -0.4 * star.magnitude)),
+                        pack(star_colour(star.colour_index), random_uniform(7, 0, i))});
+  }
+  return vertices;
 }
 
 /// Toward a direction in the plane; any where it is the zenith.
@@ -79,7 +99,9 @@ Sky::Sky(ShaderLibrary& shaders, int quality)
       sun_program_(shaders.program({"sky/disc.vert", "sky/sun.frag"})),
       moon_program_(shaders.program({"sky/disc.vert", "sky/moon.frag"})),
       stars_program_(shaders.program({"sky/stars.vert", "sky/stars.frag"})),
+      milky_way_program_(shaders.program({"sky/dome.vert", "sky/milky_way.frag"})),
       linear_("sky tables", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
+      around_("milky way", GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_CLAMP_TO_EDGE),
       block_("sky block", sizeof(shared::SkyData)),
       star_array_("stars"),
       no_vertices_("sky without vertices") {
@@ -88,11 +110,17 @@ Sky::Sky(ShaderLibrary& shaders, int quality)
   multiscatter_ = cleared("sky multiscatter", kMultiscatterSize, kMultiscatterSize);
   sun_view_ = cleared("sky view of the sun", q.width, q.height);
   moon_view_ = cleared("sky view of the moon", q.width, q.height);
-  const std::vector<StarVertex> stars = make_stars();
+  const std::vector<StarVertex> stars = star_vertices(load_stars(star_file()));
   star_count_ = static_cast<int>(stars.size());
   star_vertices_ = gl::Buffer::of<StarVertex>("stars", stars);
   star_array_.attribute(0, 4, star_vertices_.id(), sizeof(StarVertex), 0);
   star_array_.attribute(1, 4, star_vertices_.id(), sizeof(StarVertex), sizeof(glm::vec4));
+  const MilkyWay milky_way = load_milky_way(milky_way_file());
+  milky_way_ = gl::Texture("milky way",
+                           {.format = GL_R8, .width = milky_way.width, .height = milky_way.height});
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  milky_way_.upload(GL_RED, GL_UNSIGNED_BYTE, milky_way.values.data());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
 void Sky::add_view(FrameGraph& graph, const char* name, const gl::Texture& table,
@@ -128,12 +156,14 @@ SkyIds Sky::add_tables(FrameGraph& graph, const SkyLight& light) {
   SkyIds ids{graph.import(sun_view_), graph.import(moon_view_), graph.import(transmittance_),
              graph.import(block_)};
   const TextureId multiscatter = graph.import(multiscatter_);
+  const bool air = light.painted.mode != PaletteMode::kReplace;
 
   graph.add(
       "sky.transmittance",
       [&](PassBuilder& pass) {
         pass.write(ids.transmittance)
-            .cache(transmittance_memory_, hash_of(aerosol, transmittance_program_.generation()));
+            .cache(transmittance_memory_, hash_of(aerosol, transmittance_program_.generation()))
+            .skip_if(!air);
       },
       [this, aerosol](PassContext&) {
         transmittance_program_.use();
@@ -145,7 +175,8 @@ SkyIds Sky::add_tables(FrameGraph& graph, const SkyLight& light) {
       [&](PassBuilder& pass) {
         pass.read(ids.transmittance)
             .write(multiscatter)
-            .cache(multiscatter_memory_, hash_of(multiscatter_program_.generation()));
+            .cache(multiscatter_memory_, hash_of(multiscatter_program_.generation()))
+            .skip_if(!air);
       },
       [this, aerosol](PassContext&) {
         multiscatter_program_.use();
@@ -163,29 +194,31 @@ SkyIds Sky::add_tables(FrameGraph& graph, const SkyLight& light) {
   const bool moon_lights = light.moon_direction.y > kLowestSine && light.sun_direction.y < 0.05;
   // The sun's view also holds what the air lets through of the night's glow: it is kept all night.
   add_view(graph, "sky.sun_view", sun_view_, sun_memory_,
-           std::asin(std::max(light.sun_direction.y, kLowestSine)), height_km, aerosol, true,
+           std::asin(std::max(light.sun_direction.y, kLowestSine)), height_km, aerosol, air,
            ids.transmittance, multiscatter);
   add_view(graph, "sky.moon_view", moon_view_, moon_memory_, std::asin(light.moon_direction.y),
-           height_km, aerosol, moon_lights, ids.transmittance, multiscatter);
+           height_km, aerosol, air && moon_lights, ids.transmittance, multiscatter);
 
   shared::SkyData data{};
   const double dip = glsl::horizon_dip_sine(light.camera_height * 1e-3);
-  const double full_moon = glm::dot(light.moon_source, glm::dvec3(0.2126, 0.7152, 0.0722)) /
-                           std::max(light.moon_phase, 1e-9);
   data.sun_source = pack(sun_lights ? light.sun_source : glm::dvec3(0.0), light.sun_uncovered);
-  data.moon_source = pack(moon_lights ? light.moon_source : glm::dvec3(0.0),
-                          full_moon / (3.14159265 * light.moon_radius * light.moon_radius));
+  data.moon_source = pack(moon_lights ? light.moon_source : glm::dvec3(0.0), light.moon_luminance);
   const glm::dvec2 to_sun = heading(light.sun_direction), to_moon = heading(light.moon_direction);
   data.azimuths = glm::vec4(glm::dvec4(to_sun.x, to_sun.y, to_moon.x, to_moon.y));
   data.night = pack(light.airglow, kEarthshine * (1.0 - light.moon_lit_fraction));
   data.observer = glm::vec4(
       glm::dvec4(light.camera_height * 1e-3, dip, std::sqrt(1.0 - dip * dip), light.star_share));
-  data.lights = glm::vec4(moon_lights ? 1.0f : 0.0f, 0.0f, 0.0f, 0.0f);
-  data.aerosol = glm::vec4(aerosol, static_cast<float>(kStarLux));
+  const PaintedSky& painted = light.painted;
+  data.lights = glm::vec4(glm::dvec4(moon_lights ? 1.0 : 0.0, painted.strength, air ? 1.0 : 0.0,
+                                     painted.mode == PaletteMode::kOff ? 0.0 : 1.0));
+  data.palette_zenith = pack(painted.zenith, 0.0);
+  data.palette_middle = pack(painted.middle, 0.0);
+  data.palette_horizon = pack(painted.horizon, 0.0);
+  data.aerosol = glm::vec4(aerosol, 0.0f);
   data.table_texels =
       glm::vec4(static_cast<float>(sun_view_.width()), static_cast<float>(sun_view_.height()),
                 static_cast<float>(kTransmittanceWidth), static_cast<float>(kTransmittanceHeight));
-  data.world_from_equatorial = glm::mat4(glm::mat3(light.world_from_equatorial));
+  data.world_from_j2000 = glm::mat4(glm::mat3(light.world_from_j2000));
   graph.add(
       "sky.block",
       [&](PassBuilder& pass) {
@@ -223,6 +256,8 @@ void Sky::add_background(FrameGraph& graph, const SkyLight& light, const SkyIds&
   };
   const glm::vec4 sun = body(light.sun_direction, light.sun_radius);
   const glm::vec4 moon = body(light.moon_direction, light.moon_radius);
+  // Seen only where the moon leaves next to nothing of the sun: about 4 radii of it then.
+  const bool corona = light.sun_uncovered < 1e-3;
   const bool sun_up = light.sun_share > 0.0, moon_up = light.moon_share > 0.0;
   graph.add(
       "sky.background",
@@ -230,7 +265,8 @@ void Sky::add_background(FrameGraph& graph, const SkyLight& light, const SkyIds&
         declare(pass);
         pass.skip_if(!visible);
       },
-      [this, ids, far_pixels_only, sun, moon, sun_up, moon_up](PassContext& context) {
+      [this, &light, ids, far_pixels_only, sun, moon, corona, sun_up,
+       moon_up](PassContext& context) {
         far_pixels_only();
         bind(context, ids);
         no_vertices_.bind();
@@ -245,11 +281,23 @@ void Sky::add_background(FrameGraph& graph, const SkyLight& light, const SkyIds&
           sun_program_.use();
           sun_program_.program().set(0, sun);
           sun_program_.program().set(1, moon);
+          sun_program_.program().set(2, glm::vec2(light.sun_flattening, corona ? 1.0 : 0.0));
+          sun_program_.program().set(3, corona ? kCoronaReach : 1.0f);
           glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
         }
         if (moon_up) {
           moon_program_.use();
           moon_program_.program().set(0, moon);
+          moon_program_.program().set(1, pack(light.sun_from_moon, light.moon_flattening));
+          moon_program_.program().set(2, pack(light.earth_shadow.axis, 0.0));
+          moon_program_.program().set(3, light.star_share > 0.0 ? kGlareReach : 1.0f);
+          moon_program_.program().set(
+              6, glm::vec2(glm::dvec2(luminance(sunlight_on_the_moon(light.earth_shadow)),
+                                      luminance(light.moon_illuminance))));
+          moon_program_.program().set(
+              4, glm::vec2(glm::dvec2(light.earth_shadow.umbra, light.earth_shadow.penumbra)));
+          moon_program_.program().set(5,
+                                      glm::mat4(glm::mat3(glm::transpose(light.world_from_moon))));
           glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
         }
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -265,14 +313,25 @@ void Sky::add_background(FrameGraph& graph, const SkyLight& light, const SkyIds&
         declare(pass);
         pass.skip_if(!visible || light.star_share <= 0.0);
       },
-      [this, ids, far_pixels_only](PassContext& context) {
+      [this, &light, ids, far_pixels_only](PassContext& context) {
         far_pixels_only();
         bind(context, ids);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+        milky_way_program_.use();
+        const glm::dmat3 galactic = galactic_from_j2000() * glm::transpose(light.world_from_j2000);
+        milky_way_program_.program().set(0, 1.0f);
+        milky_way_program_.program().set(1, glm::mat4(glm::mat3(galactic)));
+        milky_way_program_.program().set(
+            2, pack(255.0 * MilkyWay::kUnit * milky_way_colour(), MilkyWay::kReach));
+        milky_way_.bind(0);
+        around_.bind(0);
+        no_vertices_.bind();
+        glDrawArrays(GL_TRIANGLES, 0, kDomeVertices);
+
         stars_program_.use();
         star_array_.bind();
         glEnable(GL_PROGRAM_POINT_SIZE);
-        glEnable(GL_BLEND);
-        glBlendFunc(GL_ONE, GL_ONE);
         glDrawArrays(GL_POINTS, 0, star_count_);
         glDisable(GL_BLEND);
         glDepthMask(GL_TRUE);

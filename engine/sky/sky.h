@@ -50,8 +50,9 @@ class Sky {
   const ShaderProgram& sun_program_;
   const ShaderProgram& moon_program_;
   const ShaderProgram& stars_program_;
-  gl::Texture transmittance_, multiscatter_, sun_view_, moon_view_;
-  gl::Sampler linear_;
+  const ShaderProgram& milky_way_program_;
+  gl::Texture transmittance_, multiscatter_, sun_view_, moon_view_, milky_way_;
+  gl::Sampler linear_, around_;
   gl::Buffer block_;
   gl::Buffer star_vertices_;
   gl::VertexArray star_array_, no_vertices_;

@@ -13,6 +13,10 @@ void run_bench(const Options& options) {
   static const std::map<std::string, void (*)(const Options&)> benches = {
       {"boat", bench_boat},
       {"frame", bench_frame},
+      {"ocean", bench_ocean},
+      {"probe", bench_probe},
+      {"query", bench_query},
+      {"stress", bench_stress},
   };
   const auto found = benches.find(options.what);
   if (found == benches.end()) {

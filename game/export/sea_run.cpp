@@ -1,7 +1,5 @@
 #include "game/export/sea_run.h"
 
-#include <epoxy/gl.h>
-
 #include "engine/core/paths.h"
 #include "game/frame/quality.h"
 
@@ -9,7 +7,7 @@ namespace offing {
 
 OceanSettings sea_settings(const Options& options) {
   OceanSettings settings = OceanSettings::of_quality(quality_named(options.quality, false).level);
-  settings.readback_cascades = settings.cascades;
+  settings.query_cascades = settings.cascades;
   return settings;
 }
 
@@ -19,14 +17,7 @@ SeaRun::SeaRun(const Scene& scene, const Options& options)
       ocean_(shaders_, sea_settings(options)),
       time_(scene.environment.elapsed()) {
   ocean_.set_sea(scene.sea, scene.environment, static_cast<std::uint64_t>(scene.seed));
-  // Two moments, so that the water's velocity is known too.
-  for (const double moment : {time_ - 1.0 / 240.0, time_}) {
-    graph_.begin_frame();
-    ocean_.add_maps(graph_, moment);
-    graph_.execute();
-    glFinish();
-    ocean_.collect();
-  }
+  ocean_.prime(graph_, time_);
 }
 
 }  // namespace offing

@@ -533,8 +533,8 @@ void BoatPass::add(FrameGraph& graph, const BoatView& view, const shared::FrameD
         light.declare(pass);
         pass.modify(hdr).modify(depth).render_to({hdr}, depth).skip_if(!visible);
       },
-      [this, light, posed = pose(view, frame)](PassContext& context) {
-        light.bind(context);
+      [this, posed = pose(view, frame), bind = light.bind](PassContext& context) {
+        bind(context);
         draw(posed);
       });
 }

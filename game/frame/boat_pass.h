@@ -43,7 +43,8 @@ class BoatPass {
   BoatPass(ShaderLibrary& shaders, const Model& model, const BoatTextures& textures);
 
   /// Into `hdr` (radiance × exposure) and `depth` (reversed), both kept where she is not. The frame
-  /// block must be bound at binding 0 when the graph runs, and be equal to `frame`.
+  /// block must be bound at binding 0 when the graph runs, and be equal to `frame`. `light`: sky,
+  /// probe and cloud shadow.
   void add(FrameGraph& graph, const BoatView& view, const shared::FrameData& frame,
            const LightAccess& light, TextureId hdr, TextureId depth) const;
 

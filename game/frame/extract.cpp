@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/clouds/cloud_field.h"
 #include "engine/core/angles.h"
 #include "engine/sky/sky.h"
 #include "game/frame/frame_view.h"
@@ -37,6 +38,38 @@ BoatView boat_view(const World& world, glm::dvec3 camera, const SkyLight& light)
   return view;
 }
 
+GardnerView gardner_view(const World& world, glm::dvec3 camera, bool sky_visible) {
+  const Scene& scene = world.scene();
+  const Environment& environment = world.environment();
+  CloudView air;  // for its wind aloft
+  air.drift = environment.air_drift();
+  GardnerView view;
+  view.weather = environment.clouds;
+  view.low_carried = cloud_carried(air, view.base);
+  view.high_carried = cloud_carried(air, 8200.0);
+  view.wind_to = environment.wind_to();
+  view.eye = camera;
+  view.ellipsoids = scene.cloud_method == static_cast<int>(CloudMethod::kEllipsoids);
+  view.sky_visible = sky_visible;
+  view.seed = static_cast<std::uint64_t>(scene.seed);
+  view.parameters = scene.gardner;
+  return view;
+}
+
+CloudView cloud_view(const World& world, glm::dvec3 camera) {
+  const Environment& environment = world.environment();
+  CloudView view;
+  view.weather = environment.clouds;
+  view.drift = environment.air_drift();
+  view.wind_to = environment.wind_to();
+  view.wind_speed = environment.wind.speed;
+  view.elapsed = environment.elapsed();
+  view.eye = camera;
+  view.seed = static_cast<std::uint64_t>(world.scene().seed);
+  view.parameters = world.scene().clouds;
+  return view;
+}
+
 // Whether any pixel looks below the horizon of the sea, waves included.
 bool sea_in_view(const glm::mat4& relative_from_clip, double camera_height) {
   constexpr double kEarthRadius = 6.36e6, kTallestWave = 20.0;
@@ -56,6 +89,23 @@ bool sea_in_view(const glm::mat4& relative_from_clip, double camera_height) {
 
 }  // namespace
 
+Extractor::Extractor()
+    : light_(Starlight(load_stars(star_file()), load_milky_way(milky_way_file()))) {}
+
+SkyLight Extractor::paint(const Scene& scene, SkyLight light) {
+  const SkyLook& look = scene.sky;
+  const auto mode = static_cast<PaletteMode>(look.mode);
+  if (mode == PaletteMode::kOff) return light;
+  if (palette_name_ != look.palette) {
+    palette_ = load_palette(find_palette(look.palette));
+    palette_name_ = look.palette;
+  }
+  const Environment& environment = scene.environment;
+  const double hour = solar_hour(environment.utc_seconds(), environment.longitude_deg);
+  apply_palette(light, palette_.at(hour), mode, look.strength);
+  return light;
+}
+
 FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int number) {
   const Environment& environment = world.environment();
   const CameraPose& pose = world.camera().pose();
@@ -63,7 +113,9 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
   view.size = size;
   view.camera = pose.position;
   view.sea_time = world.drawn_time();
-  view.light = light_.update(environment.celestial(), environment.haze, pose.position.y);
+  view.light = paint(world.scene(),
+                     light_.update(environment.celestial(), environment.haze, pose.position.y));
+  view.clouds = cloud_view(world, pose.position);
   view.boat = boat_view(world, pose.position, view.light);
   for (const Afloat& thing : world.flotsam()) {
     view.flotsam.push_back({thing.kind, glm::vec3(thing.drawn_position - pose.position),
@@ -89,6 +141,7 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
 
   view.sea_visible = sea_in_view(frame.relative_from_clip, pose.position.y);
   view.sky_visible = sky_in_view(frame.relative_from_clip, pose.position.y);
+  view.gardner = gardner_view(world, pose.position, view.sky_visible);
   return view;
 }
 

@@ -34,9 +34,28 @@ OceanView ocean_view(const FrameView& view) {
   return {view.frame.clip_from_relative, {view.camera.x, view.camera.z}, view.camera.y};
 }
 
-LightAccess light_access(const Sky& sky, const SkyIds& ids) {
-  return {[ids](PassBuilder& pass) { ids.read_by(pass); },
-          [&sky, ids](const PassContext& context) { sky.bind(context, ids); }};
+// What of the light is ready when the sea and the boat are drawn.
+struct LightIds {
+  SkyIds sky;
+  ProbeIds probe;
+  CloudShadowIds shadow;
+};
+
+LightAccess light_access(const Techniques& t, const LightIds& ids) {
+  return {[ids](PassBuilder& pass) {
+            ids.sky.read_by(pass);
+            ids.probe.read_by(pass);
+            ids.shadow.read_by(pass);
+          },
+          [&t, ids](const PassContext& context) {
+            t.sky.bind(context, ids.sky);
+            t.probe.bind(context, ids.probe);
+            t.clouds.shadow().bind(context, ids.shadow);
+          }};
+}
+
+CloudCamera cloud_camera(const FrameView& view) {
+  return {view.size, view.frame.clip_from_relative, view.camera, view.light.exposure};
 }
 
 }  // namespace
@@ -44,7 +63,10 @@ LightAccess light_access(const Sky& sky, const SkyIds& ids) {
 Techniques::Techniques(ShaderLibrary& shaders, const Quality& quality,
                        const std::filesystem::path& boat_model)
     : sky(shaders, quality.level),
+      clouds(shaders, quality.level),
+      probe(shaders, ProbeSettings::of_quality(quality.level)),
       ocean(shaders, OceanSettings::of_quality(quality.level)),
+      gardner(shaders),
       boat(shaders,
            load_model(boat_model.empty() ? data_root() / "assets/models/r8/r8.glb" : boat_model,
                       kBoatNodeNames),
@@ -66,13 +88,18 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
 
   add_begin(graph, view, t.frame_block, hdr, depth);
   const SkyIds sky = t.sky.add_tables(graph, view.light);
+  const CloudscapeIds clouds = t.clouds.add_field(graph, view.clouds, view.light);
+  const ProbeIds probe = t.probe.add(graph, view.light, view.frame.wind.w, t.sky, sky);
+  const LightAccess light = light_access(t, {sky, probe, clouds.shadow});
   const SeaIds sea = t.ocean.add_maps(graph, view.sea_time);
   const TextureId hull = t.boat.add_mask(graph, view.boat, view.frame);
-  t.boat.add(graph, view.boat, view.frame, light_access(t.sky, sky), hdr, depth);
-  t.flotsam.add(graph, view.flotsam, view.frame, light_access(t.sky, sky), hdr, depth);
-  t.ocean.add_draw(graph, ocean_view(view), sea, light_access(t.sky, sky), hull, hdr, depth,
-                   view.sea_visible);
+  t.boat.add(graph, view.boat, view.frame, light, hdr, depth);
+  t.flotsam.add(graph, view.flotsam, view.frame, light, hdr, depth);
+  t.ocean.add_draw(graph, ocean_view(view), sea, light, hull, hdr, depth, view.sea_visible);
   t.sky.add_background(graph, view.light, sky, hdr, depth, view.sky_visible);
+  t.gardner.add(graph, view.gardner, view.light, t.sky, sky, hdr, depth);
+  t.clouds.add_picture(graph, clouds, view.clouds, cloud_camera(view), t.sky, sky, hdr, depth,
+                       view.sky_visible && !view.gardner.ellipsoids);
   t.tonemap.add(graph, hdr, display, {.exposure = view.light.exposure, .count_nonfinite = true});
   return display;
 }

@@ -1,4 +1,6 @@
 #pragma once
+#include "engine/clouds/gardner.h"
+#include "engine/clouds/clouds.h"
 #include <filesystem>
 
 #include "engine/gl/buffer.h"
@@ -7,6 +9,7 @@
 #include "engine/ocean/ocean.h"
 #include "engine/post/tonemap.h"
 #include "engine/shader/shader_library.h"
+#include "engine/sky/probe.h"
 #include "engine/sky/sky.h"
 #include "game/frame/boat_pass.h"
 #include "game/frame/flotsam_pass.h"
@@ -22,7 +25,10 @@ struct Techniques {
              const std::filesystem::path& boat_model);
 
   Sky sky;
+  Cloudscape clouds;
+  Probe probe;
   Ocean ocean;
+  GardnerClouds gardner;
   BoatPass boat;
   FlotsamPass flotsam;
   Tonemap tonemap;

@@ -4,6 +4,11 @@
 
 #include <vector>
 
+#include "engine/clouds/gardner.h"
+#include <string>
+
+#include "engine/sky/palette.h"
+#include "engine/clouds/cloud_field.h"
 #include "engine/sky/sky_light.h"
 #include "game/frame/boat_view.h"
 #include "game/world/world.h"
@@ -25,19 +30,28 @@ struct FrameView {
   glm::dvec3 camera{0.0};   ///< world, m
   double sea_time = 0.0;    ///< s
   SkyLight light;
+  CloudView clouds;
   BoatView boat;
   std::vector<FlotsamView> flotsam;
+  GardnerView gardner;
   bool sea_visible = true, sky_visible = true;
 };
 
 /// Makes FrameViews. Holds only what is worth keeping of the sky's light from frame to frame.
 class Extractor {
  public:
+  /// Reads the stars. Throws InputError where their files are not there or damaged.
+  Extractor();
+  /// See SkyLightModel::set_in_background(): for a window.
+  void set_in_background(bool in_background) { light_.set_in_background(in_background); }
   /// `dt` is the time since the last frame (s), `number` its number.
   FrameView extract(const World& world, glm::ivec2 size, double dt, int number);
 
  private:
+  SkyLight paint(const Scene& scene, SkyLight light);
   SkyLightModel light_;
+  std::string palette_name_;
+  Palette palette_;
 };
 
 }  // namespace offing

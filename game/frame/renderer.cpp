@@ -32,14 +32,7 @@ Renderer::Renderer(const Quality& quality, const std::filesystem::path& boat_mod
       techniques_(shaders_, quality, boat_model) {}
 
 void Renderer::prime(double time) {
-  // Two moments, so that the water's velocity is known too.
-  for (const double moment : {time - 1.0 / 60.0, time}) {
-    graph_.begin_frame();
-    techniques_.ocean.add_maps(graph_, moment);
-    graph_.execute();
-    glFinish();
-    techniques_.ocean.collect();
-  }
+  techniques_.ocean.prime(graph_, time);
   graph_.reset_report();
 }
 

@@ -18,11 +18,16 @@ class Renderer {
  public:
   explicit Renderer(const Quality& quality, const std::filesystem::path& boat_model = {});
 
-  /// Where the boat floats: what was read back of the sea.
+  /// Where the boat floats.
   const WaterSurface& water() const { return techniques_.ocean.water(); }
   /// Takes over the sea state, wind and seed of a scene; does nothing where they are unchanged.
   void set_sea(const Scene& scene) {
     techniques_.ocean.set_sea(scene.sea, scene.environment, seed_of(scene));
+  }
+  /// The same by and by, where anything has changed; to be called every frame.
+  void turn_sea(const Scene& scene) {
+    techniques_.ocean.turn_to(scene.sea, scene.environment, seed_of(scene),
+                              scene.environment.elapsed());
   }
   /// Makes the water known around `time` before the first frame. Waits: for starts only.
   void prime(double time);

@@ -26,6 +26,21 @@ void draw_clock(Environment& environment) {
   if (ImGui::SliderScalar("time of day", ImGuiDataType_Double, &hours, &first, &last, format)) {
     environment.set_utc_seconds(midnight + hours * 3600.0);
   }
+  ImGui::TextUnformatted(environment.date().c_str());
+  ImGui::SameLine();
+  if (ImGui::SmallButton("day -")) environment.set_utc_seconds(environment.utc_seconds() - kDay);
+  ImGui::SameLine();
+  if (ImGui::SmallButton("day +")) environment.set_utc_seconds(environment.utc_seconds() + kDay);
+
+  if (ImGui::Button("slower, back")) environment.slow_down();
+  ImGui::SameLine();
+  if (ImGui::Button(environment.paused ? "run" : "pause")) environment.paused = !environment.paused;
+  ImGui::SameLine();
+  if (ImGui::Button("faster")) environment.quicken();
+  ImGui::SameLine();
+  if (ImGui::Button("x 1")) environment.clock_rate = 1.0;
+  ImGui::TextDisabled("the clock %s, x %.0f", environment.paused ? "stands" : "runs",
+                      environment.clock_rate);
 }
 
 void draw_times(const HudInfo& info) {
@@ -63,6 +78,7 @@ void draw_panel(World& world, const HudInfo& info) {
     draw_fields(table, "environment.haze");
     draw_fields(table, "environment.clock_rate");
   }
+  if (ImGui::CollapsingHeader("painted sky")) draw_fields(table, "sky.palette");
   if (ImGui::CollapsingHeader("sea", ImGuiTreeNodeFlags_DefaultOpen)) {
     for (const char* prefix : {"sea.spectrum", "sea.spreading", "sea.fetch", "sea.depth",
                                "sea.choppiness", "sea.swell."}) {

@@ -28,7 +28,7 @@ const KeyHelp kKeyHelp[] = {
     {"mouse", "look round; wheel: nearer, farther"},
     {"[ ]", "less wind, more wind"},
     {", .", "less swell, more swell"},
-    {"P   O", "pause time   faster clock"},
+    {"P   O I", "pause time   faster clock, slower and backwards"},
     {"Space", "panels (frees the mouse), back to sailing"},
     {"F1  F5", "this help   reload shaders"},
     {"F10 F12", "hide everything   photo"},
@@ -74,6 +74,7 @@ Commands Controls::commands(const Input& input, bool looking) {
   commands.look_astern = input.held(Key::kV);
   commands.toggle_pause = input.pressed(Key::kP);
   commands.faster = input.pressed(Key::kO);
+  commands.slower = input.pressed(Key::kI);
   commands.reload_shaders = input.pressed(Key::kF5);
   commands.photo = input.pressed(Key::kF12);
   commands.wind_change = axis(input.held(Key::kLeftBracket), input.held(Key::kRightBracket));

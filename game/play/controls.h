@@ -8,7 +8,7 @@ namespace offing {
 struct Commands {
   bool toggle_panel = false, toggle_menu = false, toggle_help = false, toggle_hud = false;
   bool next_camera = false, look_astern = false;
-  bool toggle_pause = false, faster = false;
+  bool toggle_pause = false, faster = false, slower = false;
   bool reload_shaders = false, photo = false;
   double wind_change = 0.0;                 ///< -1 less … 1 more, a rate
   double swell_change = 0.0;                ///< likewise

@@ -49,6 +49,7 @@ class Play {
     if (machine.software) window_.set_vsync(false);
     info_.renderer = machine.name;
     info_.quality = renderer_.quality().name;
+    extractor_.set_in_background(true);
     world_.start();
     log_state_ = std::getenv("OFFING_LOG_STATE") != nullptr;
   }
@@ -102,7 +103,8 @@ class Play {
 
     Environment& environment = world_.environment();
     environment.paused ^= commands.toggle_pause;
-    if (commands.faster) next_clock_rate(environment);
+    if (commands.faster) environment.quicken();
+    if (commands.slower) environment.slow_down();
     change_weather(commands, dt);
     Camera& camera = world_.camera();
     if (commands.next_camera) camera.next_mode();
@@ -116,13 +118,6 @@ class Play {
     if (!hud_.menu) world_.update(helm, dt);
   }
 
-  static void next_clock_rate(Environment& environment) {
-    // Real time, an hour a minute, a day in a minute, and back.
-    environment.clock_rate = environment.clock_rate < 60.0     ? 60.0
-                             : environment.clock_rate < 1440.0 ? 1440.0
-                                                               : 1.0;
-  }
-
   void change_weather(const Commands& commands, double dt) {
     Scene& scene = world_.scene();
     Wind& wind = scene.environment.wind;
@@ -132,11 +127,7 @@ class Play {
   }
 
   void draw(double dt) {
-    // Waves are raised anew at most twice a second while a slider or key is moving.
-    if (const double now = seconds_now(); now > next_sea_) {
-      renderer_.set_sea(world_.scene());
-      next_sea_ = now + 0.5;
-    }
+    renderer_.turn_sea(world_.scene());
     const glm::ivec2 size = window_.framebuffer_size();
     if (size.x < 1 || size.y < 1) return;
     const FrameView view = extractor_.extract(world_, size, dt, frame_++);
@@ -187,11 +178,11 @@ class Play {
     fmt::print(
         "state t={:.2f} heading={:05.1f} speed={:.2f} rudder={:.2f} heel={:.1f} boat_x={:.2f} "
         "boat_z={:.2f} "
-        "paused={:d} panel={:d} menu={:d} trim={:d} fps={:.1f}\n",
+        "paused={:d} clock_rate={:g} panel={:d} menu={:d} trim={:d} fps={:.1f}\n",
         world_.environment().elapsed(), degrees(wrap_tau(n.heading)), n.stw,
         s.rudder_angle / world_.boat().parameters().rudder_most, degrees(n.heel), s.position.x,
-        s.position.z, world_.environment().paused, hud_.panel, hud_.menu,
-        world_.boat().controls().auto_trim, info_.frames_per_second);
+        s.position.z, world_.environment().paused, world_.environment().clock_rate, hud_.panel,
+        hud_.menu, world_.boat().controls().auto_trim, info_.frames_per_second);
     std::fflush(stdout);
   }
 
@@ -208,7 +199,7 @@ class Play {
   HudInfo info_;
   std::vector<PassReport> shown_passes_;
   int frame_ = 0;
-  double next_sea_ = 0.0, next_report_ = 0.0;
+  double next_report_ = 0.0;
   bool photo_wanted_ = false, log_state_ = false;
 };
 

@@ -12,6 +12,11 @@ FieldTable Scene::fields() {
   FieldTable table;
   environment.describe(table);
   sea.describe(table);
+  table.group("clouds").choice("method", cloud_method, {"volumetric", "ellipsoids"},
+                               "how low clouds are drawn: in volume, or as Gardner's ellipsoids");
+  gardner.describe(table);
+  sky.describe(table);
+  clouds.describe(table);
   table.group("boat")
       .number("heading", boat.heading_deg, {-360.0, 360.0}, "deg",
               "where the bow points at the start, true")
@@ -25,7 +30,7 @@ FieldTable Scene::fields() {
       .vector("position", camera.position, {-1e7, 1e7}, "m", "of the free camera: x, y (up), z")
       .vector("target", camera.target, {-1e7, 1e7}, "m",
               "what the free camera looks at: x, y (up), z")
-      .number("fov", camera.field_of_view_deg, {10.0, 120.0}, "deg", "vertical field of view");
+      .number("fov", camera.field_of_view_deg, {1.0, 120.0}, "deg", "vertical field of view");
   table.group("");
   table.flag("flotsam", flotsam, "barrel, crate and raft float ahead of the start");
   table.integer("seed", seed, {0, 1000000000}, "of the sea's waves");

@@ -5,10 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "engine/clouds/gardner.h"
+#include "engine/clouds/cloud_parameters.h"
 #include "engine/boat/parameters.h"
 #include "engine/core/fields.h"
 #include "engine/environment/environment.h"
 #include "engine/ocean/sea_state.h"
+#include "engine/sky/palette.h"
 
 namespace offing {
 
@@ -32,13 +35,20 @@ struct CameraStart {
   double field_of_view_deg = 55.0;       ///< vertical
 };
 
+/// How low clouds are drawn.
+enum class CloudMethod : int { kVolumetric, kEllipsoids };
+
 /// Everything that a scene file can say. Its field table is the list of the scene keys.
 struct Scene {
   Environment environment;
   SeaState sea;
+  CloudParameters clouds;
   BoatStart boat;
   CameraStart camera;
   bool flotsam = true;  ///< barrel, crate and raft float about the start
+  GardnerParameters gardner;
+  int cloud_method = static_cast<int>(CloudMethod::kVolumetric);
+  SkyLook sky;
   int seed = 1;
   double sea_time = 0.0;  ///< the sea's clock at the start, s
 

@@ -30,12 +30,12 @@ void main() {
   vec3 n = normalize(surface.normal);
   n = dot(n, surface.relative) > 0.0 ? -n : n;
   mat3 boat_from_world = transpose(mat3(boat.relative_from_boat));
-  float clouds = cloud_shadow(surface.relative);
-  vec3 light = ambient_illuminance(n, clouds) * (1.0 - through) +
-               ambient_illuminance(-n, clouds) * through;
+  float cloud_light = cloud_shadow(surface.relative);
+  vec3 light = ambient_illuminance(n) * (1.0 - through) +
+               ambient_illuminance(-n) * through;
   for (int i = first_light(); i < last_light(); ++i) {
     vec3 l = light_direction(i);
-    light += light_illuminance(i) * clouds * faced(n, l, through) *
+    light += light_illuminance(i) * cloud_light * faced(n, l, through) *
              sail_shade(surface.in_boat, boat_from_world * l, int(cloth.colour_b.w));
   }
   vec3 seen = through_air(base / kHalfTurn * light, surface.relative);

@@ -1,12 +1,9 @@
-// What falls on the boat: sun, moon, sky and the sea's bounce, with the shadows of sails and clouds.
+// What falls on the boat: sun, moon, sky and sea, with the shadows of sails and clouds.
 #include "sky/sky.glsl"
 #include "sky/probe.glsl"
 #include "clouds/shadow.glsl"
 
 const float kHalfTurn = 3.14159265358979323846;
-// Deep sea water sends back a few percent of what falls on it, blue-green (Jerlov 1976), and its
-// surface reflects about as much again of the sky near the horizon.
-const vec3 kSeaBounce = vec3(0.045, 0.070, 0.085);
 const float kSailTransmittance = 0.22;
 
 // The share of light from `direction` (boat frame) that passes the sails on its way to `p`.
@@ -34,25 +31,8 @@ float sail_shade(vec3 p, vec3 direction, int own) {
   return light;
 }
 
-// Illuminance (lux) that sun and moon throw back from the sea, on a surface that looks straight down.
-vec3 sea_bounce(float cloud_light) {
-  return kSeaBounce * cloud_light *
-         (frame.sun_illuminance.rgb * max(frame.sun_direction.y, 0.0) +
-          frame.moon_illuminance.rgb * max(frame.moon_direction.y, 0.0));
-}
-
 // Illuminance (lux) of a surface with this normal from sky and sea, without sun and moon.
-vec3 ambient_illuminance(vec3 normal, float cloud_light) {
-  return probe_irradiance(normal) + sea_bounce(cloud_light) * (0.5 - 0.5 * normal.y);
-}
-
-// Radiance that a surface of this roughness mirrors: sky above the horizon, sea below.
-vec3 ambient_radiance(vec3 mirror, float roughness, float cloud_light) {
-  vec3 sea = ambient_illuminance(vec3(0.0, -1.0, 0.0), cloud_light) / kHalfTurn;
-  float blur = 0.02 + 0.5 * roughness;
-  vec3 above = vec3(mirror.x, max(mirror.y, 0.0), mirror.z);
-  return mix(sea, probe_radiance(above, roughness), smoothstep(-blur, blur, mirror.y));
-}
+vec3 ambient_illuminance(vec3 normal) { return probe_irradiance(normal); }
 
 // What is left of `radiance` (cd/m^2) through the air between, with the light of that air.
 vec3 through_air(vec3 radiance, vec3 relative) {

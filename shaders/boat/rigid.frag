@@ -40,16 +40,17 @@ void main() {
   vec3 v = -normalize(surface.relative);
   mat3 boat_from_world = transpose(mat3(boat.relative_from_boat));
 
-  float clouds = cloud_shadow(surface.relative);
+  float cloud_light = cloud_shadow(surface.relative);
   vec3 sum = vec3(0.0);
   for (int i = first_light(); i < last_light(); ++i) {
     vec3 l = light_direction(i);
-    sum += light_illuminance(i) * clouds * sail_shade(surface.in_boat, boat_from_world * l, -1) *
+    sum += light_illuminance(i) * cloud_light * sail_shade(surface.in_boat, boat_from_world * l, -1) *
            reflected(n, v, l, diffuse, f0, alpha);
   }
 
-  sum += diffuse / kHalfTurn * ambient_illuminance(n, clouds);
-  vec3 glossy = ambient_radiance(reflect(-v, n), sqrt(alpha), clouds);
+  // Sky and sea: diffuse from all round, glossy from about the mirror direction.
+  sum += diffuse / kHalfTurn * ambient_illuminance(n);
+  vec3 glossy = probe_radiance(reflect(-v, n), sqrt(alpha));
   float m = 1.0 - max(dot(n, v), 0.0);
   // Reflectance of a rough surface over all directions (S. Lagarde 2011, "Adopting a physically based
   // shading model").

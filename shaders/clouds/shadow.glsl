@@ -1,4 +1,37 @@
-// What the clouds leave of sun and moon. Needs shared/frame.h before it.
+// What the clouds leave of sun and moon. Needs shared/frame.h before it; of the C++ side
+// CloudShadow::bind() and CloudShadowIds::read_by().
+#include "shared/bindings.h"
+#include "shared/clouds.h"
 
-// Share of the brighter light's illuminance that reaches a point, relative to the camera.
-float cloud_shadow(vec3 relative) { return 1.0; }
+layout(binding = OFFING_UNIT_CLOUD_SHADOW) uniform sampler2D cloud_shadow_map;  // see shadow.comp
+
+// Where the light's ray through a place crosses the level of the map.
+vec2 cloud_shadow_at(vec3 relative, float altitude) {
+  vec3 toward = clouds.shadow_light.xyz;
+  vec2 plan = relative.xz + toward.xz * ((clouds.shadow.w - altitude) / toward.y);
+  return (plan - clouds.shadow.xy) * clouds.shadow.z + 0.5;
+}
+
+// 1 within the map, 0 at its rim.
+float cloud_shadow_known(vec2 at) {
+  vec2 inside = min(at, vec2(1.0) - at) * 12.0;
+  return clamp(min(inside.x, inside.y), 0.0, 1.0);
+}
+
+// Optical depth between a place and the light.
+float cloud_shadow_depth(vec3 relative) {
+  float altitude = clouds.eye.x + relative.y + dot(relative.xz, relative.xz) * clouds.eye.y;
+  vec2 at = cloud_shadow_at(relative, altitude);
+  vec4 map = textureLod(cloud_shadow_map, at, 0.0);
+  float below = max(map.g - altitude, 0.0) / clouds.shadow_light.y;
+  return min(map.r, map.b * below) * cloud_shadow_known(at);
+}
+
+// Share of the brighter light's illuminance that reaches a point, relative to the camera. What comes
+// through a cloud scattered counts with what comes straight: beneath a thick one it is never night
+// (Eddington's transmittance, see lib/cloud_light.glsl; (1 - g) = 0.15 for droplets).
+float cloud_shadow(vec3 relative) {
+  float depth = cloud_shadow_depth(relative) * clouds.eye.z;
+  float scaled = 0.15 * depth;
+  return (5.0 - exp(-scaled)) / (4.0 + 3.0 * scaled);
+}

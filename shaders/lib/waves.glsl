@@ -26,6 +26,14 @@ float wave_group_speed(float k, float depth) {
   return slope / (2.0 * sqrt(inner * t));
 }
 
+// How far the water at the surface moves sideways over how far it moves up: coth kh (Airy), taken
+// from the dispersion as (g k + sigma k^3) / w^2. Held at 4 (kh = .26): in thinner water the linear
+// theory has no meaning for waves of any height.
+const float kMostSideways = 4.0;
+float wave_sideways(float k, float w) {
+  return min((kWaveGravity * k + kWaveTension * k * k * k) / max(w * w, 1.0e-12), kMostSideways);
+}
+
 // The inverse of wave_frequency(): Newton steps from the deep-water gravity wave, which lies on the
 // side of the root from which they converge.
 float wave_number(float w, float depth) {
@@ -68,10 +76,12 @@ float jonswap_shape(float w, float peak, float alpha, float gamma) {
          exp(-1.25 * ratio * ratio * ratio * ratio) * enhancement;
 }
 
-// Fetch without dimension, chi = g F / U^2. Growth stops where the JONSWAP height law 1.6e-3 sqrt(chi)
-// U^2 / g meets the .243 U^2 / g of a fully developed sea (Shore Protection Manual 1984: about 2.2e4).
-// The spectrum's own integral passes that height sooner, at about 1.1e4. Fetch in metres, wind in m/s.
-const float kFullyDevelopedFetch = 2.2e4;
+// Fetch without dimension, chi = g F / U^2. Growth stops where the peak has come down to that of the
+// fully developed sea, f U / g = .13 (Komen, Hasselmann & Hasselmann 1984 on Pierson & Moskowitz's
+// data): 22 chi^(-1/3) = 2 pi .13 gives 2.0e4 in round figures. JONSWAP's energy, a fit of its own,
+// passes that of Pierson & Moskowitz's spectrum sooner, at about 1.1e4, and stands 1.42 times above
+// its height here. Fetch in metres, wind in m/s.
+const float kFullyDevelopedFetch = 2.0e4;
 float dimensionless_fetch(float wind, float fetch) {
   return min(kWaveGravity * fetch / (wind * wind), kFullyDevelopedFetch);
 }
@@ -140,6 +150,12 @@ float hasselmann_exponent(float w, float peak, float wind) {
   float ratio = w / peak;
   if (ratio <= 1.0) return 6.97 * pow(ratio, 4.06);
   return 9.77 * pow(ratio, -2.33 - 1.45 * (wind * peak / kWaveGravity - 1.17));
+}
+
+// What Horvath 2015 ("Empirical directional wave spectra for computer graphics") adds to the exponent
+// so that crests grow long like those of a swell: 16 tanh(peak / w) xi^2, strongest below the peak.
+float swell_elongation_exponent(float w, float peak, float xi) {
+  return 16.0 * tanh(min(peak / w, 20.0)) * xi * xi;
 }
 
 // Donelan, Hamilton & Hui 1985 with Banner's 1990 tail: beta / (2 tanh(beta pi)) sech^2(beta theta).

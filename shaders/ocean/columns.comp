@@ -1,18 +1,25 @@
-// The sea at one moment, as wave amplitudes, transformed along z. One group per column and cascade.
+// The sea at one moment, as wave amplitudes, transformed along z. A group takes kLines columns of a
+// cascade.
 //   H(k, t) = h0(k) exp(-i w t) + conj(h0(-k)) exp(i w t)
-// and, with displacement D = i (k/|k|) c H (c: choppiness), the eight fields packed in pairs:
-//   Dx + i h,  Dz + i Dxz,  sx + i sz,  Dxx + i Dzz      (Dxz = dDx/dz, sx = dh/dx, …)
-#include "shared/ocean.h"
+// and, with displacement D = i u H, u = c coth(kh) k / |k| (c: choppiness), the real fields that are
+// packed in pairs, of like size:
+//   FIELDS 4, maps:     Dx + i Dz,  h + i S Dxz,  sx + i sz,  Dxx + i Dzz   (Dxz = dDx/dz, sx = dh/dx)
+//   FIELDS 3, moments:  Dx + i Dz,  h + i dh/dt,  dDx/dt + i dDz/dt
+#include "lib/waves.glsl"
 #include "ocean/fft.glsl"
 layout(local_size_x = kThreads) in;
 
 // h0 real, imaginary; frequency in turns per second as the sum of two floats. [cascade][x][z]
 layout(std430, binding = 0) readonly buffer Modes { vec4 modes[]; };
 layout(std430, binding = 2) writeonly buffer Work { vec2 work[]; };  // [cascade][field][z][stored x]
-layout(std430, binding = 3) readonly buffer Grids { vec4 grids[]; };  // dk cos, dk sin, choppiness
+layout(std430, binding = 3) readonly buffer Grids { vec4 grids[]; };  // dk cos, dk sin, c, S
 layout(location = 0) uniform ivec2 time_bits;  // the sea's clock, a double
 
-shared vec2 amplitude[kStored];
+shared vec2 amplitude[kLines * kStored];
+shared float sideways[kLines * kStored];  // |u| / |k|
+#if FIELDS == 3
+shared vec2 rates[kLines * kStored];
+#endif
 
 // (cos, sin) of 2 pi turns. The whole turns are taken off in double, so that a month of seconds
 // loses nothing; then at most an eighth of a turn is left for the series (error below 2e-9).
@@ -29,51 +36,91 @@ vec2 unit_phase(double turns) {
   return (quarter & 2) != 0 ? -p : p;
 }
 
-// What the transform of a field has at index n of this column.
-vec2 field_amplitude(int field, vec4 grid, float nx, int n) {
-  float nz = float(n < kPoints / 2 ? n : n - kPoints);
-  vec2 k = vec2(grid.x * nx - grid.y * nz, grid.y * nx + grid.x * nz);
-  vec2 u = grid.z * k * inversesqrt(max(dot(k, k), 1.0e-20));
-  vec2 factor = field == 0 ? vec2(0.0, 1.0 + u.x)
-              : field == 1 ? vec2(0.0, u.y * (1.0 - k.x))
-              : field == 2 ? vec2(-k.y, k.x)
-                           : vec2(-k.x * u.x, -k.y * u.y);
-  return times(factor, amplitude[stored(n)]);
+// A column's waves at a thread's own indices.
+const int kOwn = RADIX_A / 2;
+vec2 own_h[kOwn], own_k[kOwn], own_u[kOwn];
+#if FIELDS == 3
+vec2 own_rate[kOwn];
+#endif
+
+// What the transform of a field has at one of them.
+vec2 field_amplitude(int field, float shear, int own) {
+  vec2 h = own_h[own], k = own_k[own], u = own_u[own];
+#if FIELDS == 4
+  return field == 0 ? times(vec2(-u.y, u.x), h)
+       : field == 1 ? times(vec2(1.0, -shear * k.y * u.x), h)
+       : field == 2 ? times(vec2(-k.y, k.x), h)
+                    : times(vec2(-k.x * u.x, -k.y * u.y), h);
+#else
+  vec2 rate = own_rate[own];
+  return field == 0 ? times(vec2(-u.y, u.x), h)
+       : field == 1 ? h + times_i(rate)
+                    : times(vec2(-u.y, u.x), rate);
+#endif
 }
 
 void main() {
-  int column = int(gl_WorkGroupID.x), cascade = int(gl_WorkGroupID.y);
-  int x = column < kPoints / 4 ? column : column + kPoints / 2;
-  int mirrored_x = (kPoints - x) & (kPoints - 1);
+  int cascade = int(gl_WorkGroupID.y), thread = int(gl_LocalInvocationIndex);
   int base = cascade * kPoints * kPoints;
   double time = packDouble2x32(uvec2(time_bits));
-
-  for (int i = int(gl_LocalInvocationIndex); i < kStored; i += kThreads) {
-    int z = i < kPoints / 4 ? i : i + kPoints / 2;
-    vec4 mode = modes[base + x * kPoints + z];
-    vec4 mirrored = modes[base + mirrored_x * kPoints + ((kPoints - z) & (kPoints - 1))];
-    vec2 p = unit_phase((double(mode.z) + double(mode.w)) * time);
-    // h0 conj(p) + conj(h0m) p
-    amplitude[i] = vec2((mode.x + mirrored.x) * p.x + (mode.y + mirrored.y) * p.y,
-                        (mode.y - mirrored.y) * p.x - (mode.x - mirrored.x) * p.y);
-  }
-  barrier();
-
   vec4 grid = grids[cascade];
-  float nx = float(x < kPoints / 2 ? x : x - kPoints);
-  for (int item = int(gl_LocalInvocationIndex); item < kFields * RADIX_B; item += kThreads) {
-    int field = item / RADIX_B, n2 = item % RADIX_B;
-#define LOAD(n1) v[n1] = field_amplitude(field, grid, nx, RADIX_B * (n1) + n2);
-    EACH_OUTER_A(LOAD)
-#undef LOAD
-    first_step(field, n2);
+
+  for (int i = thread; i < kLines * kStored; i += kThreads) {
+    int column = int(gl_WorkGroupID.x) * kLines + i / kStored, n = i % kStored;
+    int x = column < kPoints / 4 ? column : column + kPoints / 2;
+    int z = n < kPoints / 4 ? n : n + kPoints / 2;
+    int mirrored_x = (kPoints - x) & (kPoints - 1), mirrored_z = (kPoints - z) & (kPoints - 1);
+    vec4 mode = modes[base + x * kPoints + z];
+    vec4 mirrored = modes[base + mirrored_x * kPoints + mirrored_z];
+    vec2 p = unit_phase((double(mode.z) + double(mode.w)) * time);
+    vec2 a = times(mode.xy, vec2(p.x, -p.y)), b = times(vec2(mirrored.x, -mirrored.y), p);
+    float w = 2.0 * kWavePi * mode.z;
+    vec2 indices = vec2(x < kPoints / 2 ? x : x - kPoints, z < kPoints / 2 ? z : z - kPoints);
+    float k = length(grid.xy) * length(indices);
+    amplitude[i] = a + b;
+    sideways[i] = grid.z * wave_sideways(k, w) / max(k, 1.0e-10);
+#if FIELDS == 3
+    rates[i] = w * vec2(a.y - b.y, b.x - a.x);  // -i w (a - b)
+#endif
   }
   barrier();
-  for (int item = int(gl_LocalInvocationIndex); item < kFields * RADIX_A; item += kThreads) {
-    int field = item / RADIX_A, k1 = item % RADIX_A;
-    second_step(field, k1);
-    int place = (cascade * kFields + field) * kPoints * kStored + column;
+
+  int line = thread / kTeam, mate = thread % kTeam;
+  int column = int(gl_WorkGroupID.x) * kLines + line;
+  float nx = float(column < kPoints / 4 ? column : column - kPoints / 2);
+  for (int n2 = mate; n2 < RADIX_B; n2 += kTeam) {
+    twiddle_powers(n2);
+#define OWN(n1) \
+  { \
+    int n = RADIX_B * (n1) + n2, at = line * kStored + stored(n); \
+    const int own = (n1) < kOwn ? (n1) : (n1) - kOwn; \
+    float nz = float(n < kPoints / 2 ? n : n - kPoints); \
+    own_k[own] = vec2(grid.x * nx - grid.y * nz, grid.y * nx + grid.x * nz); \
+    own_h[own] = amplitude[at]; \
+    own_u[own] = sideways[at] * own_k[own]; \
+    OWN_RATE \
+  }
+#if FIELDS == 3
+#define OWN_RATE own_rate[own] = rates[at];
+#else
+#define OWN_RATE
+#endif
+    EACH_OUTER_A(OWN)
+    for (int field = 0; field < kFields; ++field) {
+#define LOAD(n1) v[n1] = field_amplitude(field, grid.w, (n1) < kOwn ? (n1) : (n1) - kOwn);
+      EACH_OUTER_A(LOAD)
+#undef LOAD
+      first_step(exchange_space(line, field), n2);
+    }
+  }
+  barrier();
+  for (int k1 = mate; k1 < RADIX_A; k1 += kTeam) {
+    for (int field = 0; field < kFields; ++field) {
+      second_step(exchange_space(line, field), k1);
+      int place = (cascade * kFields + field) * kPoints * kStored + column;
 #define STORE(k2) work[place + (k1 + RADIX_A * (k2)) * kStored] = v[SLOT_B(k2)];
-    EACH_B(STORE)
+      EACH_B(STORE)
+#undef STORE
+    }
   }
 }

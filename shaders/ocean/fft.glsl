@@ -1,17 +1,20 @@
 // An inverse transform of N = RADIX_A * RADIX_B complex numbers in two steps of one thread's work
 // each (Cooley & Tukey 1965): with n = B n1 + n2 and k = k1 + A k2,
 //   X[k] = sum_n2 W_B^(n2 k2) W_N^(n2 k1) ( sum_n1 W_A^(n1 k1) x[n] ),   W_M = exp(+2 pi i / M).
-// A thread holds a whole short transform in registers; the exchange between the steps goes through
-// shared memory, four fields side by side. Only indices |n| < N/4 carry waves (the bands end at four
-// points per wave), so the first step knows half of its inputs to be zero.
+// A thread holds a whole short transform in registers and does its part of all fields, one after the
+// other; the one exchange between the steps goes through shared memory. Only indices |n| < N/4 carry
+// waves (the bands end at four points per wave), so the first step knows half of its inputs to be
+// zero. Memory is touched as little as can be: on a CPU renderer every lane's access is one of its own.
 const int kPoints = RADIX_A * RADIX_B;
-const int kFields = 4;
-const int kThreads = kFields * (RADIX_A < RADIX_B ? RADIX_A : RADIX_B);
+const int kFields = FIELDS;
+const int kTeam = RADIX_A < RADIX_B ? RADIX_A : RADIX_B;  // threads that share a line
+const int kLines = kPoints > 256 ? 1 : 32 / kTeam;        // lines of a group: as memory allows
+const int kThreads = kTeam * kLines;
 const int kStored = kPoints / 2;  // indices with waves: 0 … N/4-1, then 3N/4 … N-1
 const int kPitch = RADIX_B + 1;   // one column more than needed keeps the banks apart
 
 layout(std430, binding = 1) readonly buffer Twiddles { vec2 twiddles[]; };  // W_N^j, from double
-shared vec2 exchange[kFields * RADIX_A * kPitch];
+shared vec2 exchange[kLines * kFields * RADIX_A * kPitch];
 
 vec2 v[RADIX_A > RADIX_B ? RADIX_A : RADIX_B];
 
@@ -133,20 +136,37 @@ int slot32(int k) { return 16 * (k & 1) + slot16(k >> 1); }
 #define SLOT_B slot16
 #endif
 
-// The two steps around the exchange; a caller loads v[n1], n1 outside [A/4, 3A/4), for its n2, and
-// takes X[k1 + A k2] from v[SLOT_B(k2)] for its k1.
-void first_step(int field, int n2) {
+// The two steps around the exchange, for one of the group's lines and a field: `space` is their
+// place in it. A caller loads v[n1], n1 outside [A/4, 3A/4), for its n2, and takes X[k1 + A k2] from
+// v[SLOT_B(k2)] for its k1.
+int exchange_space(int line, int field) { return (line * kFields + field) * RADIX_A * kPitch; }
+
+// Powers of one root by products of three at most: rounding grows little, and one load does.
+vec2 w[RADIX_A];
+void twiddle_powers(int n2) {
+  w[1] = twiddles[n2];
+#define SQUARE(n) w[2 * (n)] = times(w[n], w[n]); w[2 * (n) + 1] = times(w[2 * (n)], w[1]);
+  SQUARE(1) SQUARE(2) SQUARE(3)
+#if RADIX_A >= 16
+  EACH_4(SQUARE, 4)
+#endif
+#if RADIX_A >= 32
+  EACH_8(SQUARE, 8)
+#endif
+#undef SQUARE
+}
+void first_step(int space, int n2) {
 #define CLEAR(n1) v[n1] = vec2(0.0);
-#define STORE(k1) \
-  exchange[(field * RADIX_A + k1) * kPitch + n2] = times(v[SLOT_A(k1)], twiddles[n2 * (k1)]);
+#define STORE(k1) exchange[space + (k1) * kPitch + n2] = times(v[SLOT_A(k1)], w[k1]);
   EACH_INNER_A(CLEAR)
   DFT_A();
+  w[0] = vec2(1.0, 0.0);
   EACH_A(STORE)
 #undef CLEAR
 #undef STORE
 }
-void second_step(int field, int k1) {
-#define LOAD(n2) v[n2] = exchange[(field * RADIX_A + k1) * kPitch + n2];
+void second_step(int space, int k1) {
+#define LOAD(n2) v[n2] = exchange[space + k1 * kPitch + n2];
   EACH_B(LOAD)
   DFT_B();
 #undef LOAD

@@ -1,35 +1,60 @@
-// The second half of the transform, along x, and the maps of what it gives. One group per row and
-// cascade, so that map points are written side by side.
+// The second half of the transform, along x, and the points of the maps. A group takes kLines rows of
+// a cascade. Results go to buffers that are copied into the textures: stores to images cost a CPU
+// renderer several times as much.
 #include "ocean/fft.glsl"
 layout(local_size_x = kThreads) in;
 
 layout(std430, binding = 2) readonly buffer Work { vec2 work[]; };  // [cascade][field][z][stored x]
-layout(binding = 0) uniform writeonly image2DArray displacement;    // Dx, h, Dz, Dxz
-layout(binding = 1) uniform writeonly image2DArray slopes;          // sx, sz, Dxx, Dzz
+layout(std430, binding = 3) readonly buffer Grids { vec4 grids[]; };  // w: scale S of Dxz
+// [cascade][z][x], four floats each: Dx, h, Dz, Dxz and sx, sz, Dxx, Dzz; or halves in pairs.
+layout(std430, binding = 4) writeonly buffer Displacement { float displacement[]; };
+#ifdef HALF_SLOPES
+layout(std430, binding = 5) writeonly buffer Slopes { uint slopes[]; };
+#else
+layout(std430, binding = 5) writeonly buffer Slopes { float slopes[]; };
+#endif
 
 void main() {
-  int z = int(gl_WorkGroupID.x), cascade = int(gl_WorkGroupID.y);
-  for (int item = int(gl_LocalInvocationIndex); item < kFields * RADIX_B; item += kThreads) {
-    int field = item / RADIX_B, n2 = item % RADIX_B;
-    int row = ((cascade * kFields + field) * kPoints + z) * kStored;
+  int cascade = int(gl_WorkGroupID.y), thread = int(gl_LocalInvocationIndex);
+  int line = thread / kTeam, mate = thread % kTeam;
+  int z = int(gl_WorkGroupID.x) * kLines + line;
+  for (int n2 = mate; n2 < RADIX_B; n2 += kTeam) {
+    twiddle_powers(n2);
+    for (int field = 0; field < kFields; ++field) {
+      int row = ((cascade * kFields + field) * kPoints + z) * kStored;
 #define LOAD(n1) v[n1] = work[row + stored(RADIX_B * (n1) + n2)];
-    EACH_OUTER_A(LOAD)
-    first_step(field, n2);
+      EACH_OUTER_A(LOAD)
+#undef LOAD
+      first_step(exchange_space(line, field), n2);
+    }
   }
   barrier();
-  for (int item = int(gl_LocalInvocationIndex); item < kFields * RADIX_A; item += kThreads) {
-    int field = item / RADIX_A, k1 = item % RADIX_A;
-    second_step(field, k1);
-    // Into the same places of the exchange that this item has just read.
-#define STORE(k2) exchange[(field * RADIX_A + k1) * kPitch + (k2)] = v[SLOT_B(k2)];
+  float unscale = 1.0 / grids[cascade].w;
+  for (int k1 = mate; k1 < RADIX_A; k1 += kTeam) {
+    int point = (cascade * kPoints + z) * kPoints + k1;
+    second_step(exchange_space(line, 0), k1);
+#define STORE(k2) \
+  displacement[4 * (point + RADIX_A * (k2))] = v[SLOT_B(k2)].x; \
+  displacement[4 * (point + RADIX_A * (k2)) + 2] = v[SLOT_B(k2)].y;
     EACH_B(STORE)
-  }
-  barrier();
-  for (int x = int(gl_LocalInvocationIndex); x < kPoints; x += kThreads) {
-    int place = (x % RADIX_A) * kPitch + x / RADIX_A;
-    const int field = RADIX_A * kPitch;
-    ivec3 texel = ivec3(x, z, cascade);
-    imageStore(displacement, texel, vec4(exchange[place], exchange[field + place]));
-    imageStore(slopes, texel, vec4(exchange[2 * field + place], exchange[3 * field + place]));
+#undef STORE
+    second_step(exchange_space(line, 1), k1);
+#define STORE(k2) \
+  displacement[4 * (point + RADIX_A * (k2)) + 1] = v[SLOT_B(k2)].x; \
+  displacement[4 * (point + RADIX_A * (k2)) + 3] = unscale * v[SLOT_B(k2)].y;
+    EACH_B(STORE)
+#undef STORE
+    for (int pair = 0; pair < 2; ++pair) {
+      second_step(exchange_space(line, 2 + pair), k1);
+#ifdef HALF_SLOPES
+#define STORE(k2) slopes[2 * (point + RADIX_A * (k2)) + pair] = packHalf2x16(v[SLOT_B(k2)]);
+#else
+#define STORE(k2) \
+  slopes[4 * (point + RADIX_A * (k2)) + 2 * pair] = v[SLOT_B(k2)].x; \
+  slopes[4 * (point + RADIX_A * (k2)) + 2 * pair + 1] = v[SLOT_B(k2)].y;
+#endif
+      EACH_B(STORE)
+#undef STORE
+    }
   }
 }

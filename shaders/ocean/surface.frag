@@ -5,6 +5,7 @@
 #include "shared/ocean.h"
 #include "lib/water.glsl"
 #include "sky/sky.glsl"
+#include "sky/probe.glsl"
 #include "ocean/surface.glsl"
 
 layout(location = 0) out vec4 colour;
@@ -109,7 +110,10 @@ void main() {
   float reflectance = fresnel_water(cosine);
   vec3 mirrored = reflect(-view, normal);
   float below = clamp(-4.0 * mirrored.y, 0.0, 1.0);  // other waves instead of sky
-  vec3 sky_light = sky_radiance(normalize(vec3(mirrored.x, abs(mirrored.y) + 0.01, mirrored.z)));
+  // The facets of this pixel as a rough mirror: the GGX width of their mean variance.
+  float width = sqrt(surface.covariance.x + surface.covariance.y);
+  vec3 sky_light = probe_radiance(normalize(vec3(mirrored.x, abs(mirrored.y) + 0.01, mirrored.z)),
+                                  sqrt(min(width, 1.0)));
 
   vec3 up = normalize(vec3(-surface.slope.x, 1.0, -surface.slope.y));
   float sun_level = max(frame.sun_direction.y, 0.0);

@@ -1,5 +1,6 @@
 // Where the sea's maps are read: by the mesh and by the picture of it.
-layout(std140, binding = 2) uniform OceanBlock { OceanData ocean; };
+#include "shared/bindings.h"
+layout(std140, binding = OFFING_BIND_OCEAN) uniform OceanBlock { OceanData ocean; };
 layout(binding = 0) uniform sampler2DArray sea_displacement;  // Dx, h, Dz, Dxz
 layout(binding = 1) uniform sampler2DArray sea_slopes;        // sx, sz, Dxx, Dzz
 

@@ -1,16 +1,21 @@
-// Which binding point belongs to whom. Points 0 to 7 of every kind are each pass's own; what many
-// passes read lies above, at the same point in all of them.
+// Which binding point belongs to whom. Uniform blocks have one each; texture units, images and
+// storage buffers 0 to 7 are each pass's own, and what many passes read lies above, at the same point
+// in all of them.
 #ifdef __cplusplus
 #pragma once
 #endif
 
 // Uniform blocks
-#define OFFING_BIND_FRAME 0  // shared/frame.h
-#define OFFING_BIND_SKY 1    // shared/sky.h
-#define OFFING_BIND_CLOUDS 2  // shared/clouds.h
-#define OFFING_BIND_PROBE 3  // shared/probe.h
-#define OFFING_BIND_BOAT 4   // shared/boat.h
-#define OFFING_BIND_CLOTH 5  // shared/cloth.h
+#define OFFING_BIND_FRAME 0       // shared/frame.h
+#define OFFING_BIND_SKY 1         // shared/sky.h
+#define OFFING_BIND_CLOUDS 2      // shared/clouds.h
+#define OFFING_BIND_PROBE 3       // shared/probe.h
+#define OFFING_BIND_OCEAN 4       // shared/ocean.h
+#define OFFING_BIND_UNDERWATER 5  // shared/underwater.h
+#define OFFING_BIND_BOAT 6        // shared/boat.h
+#define OFFING_BIND_CLOTH 7       // shared/cloth.h
+#define OFFING_BIND_GARDNER 8     // shared/gardner.h
+#define OFFING_BIND_FOAM 9        // shared/foam.h
 
 // Texture units
 #define OFFING_UNIT_SKY_SUN 8         // sky view of the sun
@@ -22,3 +27,8 @@
 #define OFFING_UNIT_CLOUD_SHADOW 14   // what clouds leave of the sun
 #define OFFING_UNIT_CLOUD_MAP 15      // clouds seen from the boat, for the probe
 #define OFFING_UNIT_FOAM 16           // accumulated foam of the sea
+#define OFFING_UNIT_CLOUD_SHAPE 17    // body of the clouds: noise, repeating (3-D)
+#define OFFING_UNIT_CLOUD_DETAIL 18   // their edges, likewise
+#define OFFING_UNIT_CLOUD_CURL 19     // what the wind does to their edges
+#define OFFING_UNIT_CLOUD_WEATHER 20  // where there are clouds, and which
+#define OFFING_UNIT_CLOUD_MOST 21     // the most of it round each of its coarse cells

@@ -8,14 +8,15 @@
 layout(binding = OFFING_UNIT_SKY_SUN) uniform sampler2D sky_sun_table;
 layout(binding = OFFING_UNIT_SKY_MOON) uniform sampler2D sky_moon_table;
 
+#include "sky/palette.glsl"
+
 vec2 sky_table_at(float cosine_azimuth, float sine_above_horizon) {
   vec2 unit = sky_view_units(cosine_azimuth, sine_above_horizon);
   return 0.5 / sky.table_texels.xy + unit * (1.0 - 1.0 / sky.table_texels.xy);
 }
 
-// Radiance of the sky in cd/m^2 as linear sRGB, without discs and stars. A direction below the sea's
-// horizon gets the sky at the horizon there, so what fades into the distance fades into the sky.
-vec3 sky_radiance(vec3 direction) {
+// What the air alone makes of sun, moon and its own glow.
+vec3 physical_sky_radiance(vec3 direction) {
   float flat_length2 = max(dot(direction.xz, direction.xz), 1.0e-12);
   vec2 heading = direction.xz * inversesqrt(flat_length2);
   float above = max(direction.y * sky.observer.z + sqrt(flat_length2) * sky.observer.y, 0.0);
@@ -27,6 +28,16 @@ vec3 sky_radiance(vec3 direction) {
     vec2 at = sky_table_at(dot(heading, sky.azimuths.zw), above);
     radiance += textureLod(sky_moon_table, at, 0.0).rgb * sky.moon_source.rgb;
   }
+  return radiance;
+}
+
+// Radiance of the sky in cd/m^2 as linear sRGB, without discs and stars. A direction below the sea's
+// horizon gets the sky at the horizon there, so what fades into the distance fades into the sky.
+vec3 sky_radiance(vec3 direction) {
+  // Loops for the same reason.
+  vec3 radiance = vec3(0.0);
+  for (int i = 0; i < int(sky.lights.z); ++i) radiance = physical_sky_radiance(direction);
+  for (int i = 0; i < int(sky.lights.w); ++i) radiance = painted_sky_radiance(direction, radiance);
   return radiance;
 }
 

@@ -1,7 +1,10 @@
-layout(location = 0) in vec3 light;
+// A star's point spread: a Gaussian just wide enough that the sum over pixels is the same wherever
+// between them the star stands (to 0.1 %), so that it neither jumps nor shimmers as the camera turns.
+layout(location = 0) flat in vec3 light;
+layout(location = 1) flat in vec2 centre;
 layout(location = 0) out vec4 colour;
 
 void main() {
-  vec2 from_centre = (gl_PointCoord - 0.5) * 3.0;  // pixels
-  colour = vec4(light * exp(-dot(from_centre, from_centre) / (2.0 * 0.6 * 0.6)), 0.0);
+  vec2 away = gl_FragCoord.xy - centre;
+  colour = vec4(min(light * exp(-dot(away, away) / (2.0 * 0.65 * 0.65)), vec3(30000.0)), 0.0);
 }

@@ -8,10 +8,9 @@
 #include <optional>
 
 #include "engine/core/paths.h"
-#include "engine/environment/environment.h"
 #include "engine/graph/gl_device.h"
-#include "engine/sky/sky.h"
 #include "game/world/camera.h"
+#include "support/even_light.h"
 #include "support/gl_test.h"
 
 namespace offing {
@@ -43,10 +42,8 @@ class BoatPicture : public test::GlTest {
     shaders_.emplace(data_root() / "shaders");
     const Model model = load_model(data_root() / "assets/models/r8/r8.glb", kBoatNodeNames, 80'000);
     pass_.emplace(*shaders_, model, load_boat_textures(data_root() / "assets/textures"));
-    sky_.emplace(*shaders_, 0);
-    const Environment noon;
-    light_ = SkyLightModel{}.update(noon.celestial(), noon.haze, 6.0);
     device_.emplace();
+    light_.emplace();
     graph_.emplace(*device_);
     hdr_ = gl::Texture("hdr", {.format = GL_RGBA16F, .width = kWidth, .height = kHeight});
     depth_ =
@@ -93,10 +90,7 @@ class BoatPicture : public test::GlTest {
           glClearBufferfv(GL_COLOR, 0, colour);
           glClearBufferfv(GL_DEPTH, 0, &far);
         });
-    const SkyIds sky = sky_->add_tables(*graph_, light_);
-    const LightAccess access{[sky](PassBuilder& pass) { sky.read_by(pass); },
-                             [&](const PassContext& context) { sky_->bind(context, sky); }};
-    pass_->add(*graph_, view, frame_, access, hdr, depth);
+    pass_->add(*graph_, view, frame_, light_->access(), hdr, depth);
     TextureId mask;
     if (with_mask) mask = pass_->add_mask(*graph_, view, frame_);
     graph_->add(
@@ -142,10 +136,9 @@ class BoatPicture : public test::GlTest {
 
   std::optional<ShaderLibrary> shaders_;
   std::optional<BoatPass> pass_;
-  std::optional<Sky> sky_;
-  SkyLight light_;
   std::optional<GlDevice> device_;
   std::optional<FrameGraph> graph_;
+  std::optional<test::EvenLight> light_;
   gl::Texture hdr_, depth_;
   gl::Buffer block_;
   shared::FrameData frame_{};

@@ -1,0 +1,169 @@
+#include "engine/clouds/cloud_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "engine/core/angles.h"
+#include "engine/core/random.h"
+#include "shaders/shared/bindings.h"
+
+#define OFFING_GLSL "shaders/lib/clouds.glsl"
+#include "engine/core/glsl_double.h"
+
+namespace offing {
+namespace {
+
+constexpr double kEarthDiameter = 2.0 * 6.36e6;  // m, as in lib/scattering.glsl
+// Periods without a common multiple within sight, m.
+constexpr double kShapePeriod = 4300.0, kDetailPeriod = 330.0, kCurlPeriod = 1900.0;
+constexpr double kHighPeriod = 31000.0, kHighHeight = 8200.0;
+constexpr double kCurlReach = 90.0;
+/// Bases of different clouds lie this far apart at most, by type, m.
+constexpr double kBaseSpread = 190.0;
+constexpr double kHuge = 1e7;
+
+double fraction(double x) { return x - std::floor(x); }
+
+/// The mean wind there over that at 10 m: logarithmic to the top of the boundary layer at 1 km,
+/// then growing slowly.
+double wind_aloft(double height) {
+  constexpr double kRoughness = 0.005;
+  const double low =
+      std::log(std::clamp(height, 10.0, 1000.0) / kRoughness) / std::log(10.0 / kRoughness);
+  return low * (1.0 + 0.08 * std::max(height - 1000.0, 0.0) / 1000.0);
+}
+
+glm::dvec2 turned(const glm::dvec2& v, double degrees) {
+  const double c = std::cos(radians(degrees)), s = std::sin(radians(degrees));
+  return {c * v.x - s * v.y, s * v.x + c * v.y};
+}
+
+/// Texture coordinates of the camera in a pattern of this period that has been carried along.
+glm::dvec3 at_eye(const CloudView& view, const glm::dvec2& carried, double period,
+                  std::uint64_t pattern) {
+  const auto start = [&](std::uint64_t axis) {
+    return random_uniform(view.seed, 200 + pattern, axis);
+  };
+  return {fraction((view.eye.x - carried.x) / period + start(0)),
+          fraction(view.eye.y / period + start(1)),
+          fraction((view.eye.z - carried.y) / period + start(2))};
+}
+
+glm::vec4 pack(const glm::dvec3& v, double w) { return {glm::vec3(v), static_cast<float>(w)}; }
+glm::vec4 pack(double x, double y, double z, double w) { return glm::vec4(glm::dvec4(x, y, z, w)); }
+
+}  // namespace
+
+glm::dvec2 cloud_carried(const CloudView& view, double height) {
+  return turned(view.drift, view.parameters.direction_offset_deg) *
+         (wind_aloft(height) * view.parameters.speed_factor);
+}
+
+glm::dvec2 cloud_velocity(const CloudView& view, double height) {
+  CloudView unit = view;
+  unit.drift = view.wind_to * view.wind_speed;
+  return cloud_carried(unit, height);
+}
+
+shared::CloudData cloud_data(const CloudView& view, const SkyLight& light) {
+  const CloudParameters& p = view.parameters;
+  const Clouds& weather = view.weather;
+  shared::CloudData data{};
+
+  const double type = weather.type;
+  // Stratus lies lower, and rain brings bases down.
+  const double base =
+      p.base * glsl::cloud_blend(0.55, 1.0, 1.0, type) * (1.0 - 0.35 * weather.precipitation);
+  const double spread = kBaseSpread * glsl::cloud_blend(0.25, 0.6, 1.0, type) * base / 700.0;
+  // The tallest that any column can be: types scatter about the global one.
+  const double tallest =
+      glsl::cloud_kind(std::min(type + 0.15, 1.0), weather.precipitation).thickness;
+  data.eye = pack(view.eye.y, 1.0 / kEarthDiameter, weather.cover > 0.0 ? 1.0 : 0.0,
+                  weather.high > 0.0 ? 1.0 : 0.0);
+  data.layer =
+      pack(base - spread, base + spread + 1.06 * tallest * p.scale, p.extinction * p.density, base);
+
+  const glm::dvec2 carried = cloud_carried(view, base);
+  const glm::dvec3 w = at_eye(view, carried, WeatherMap::kPeriod * p.scale, 0);
+  data.weather = pack(w.x, w.z, 1.0 / (WeatherMap::kPeriod * p.scale), 1.0 - weather.cover);
+  // The body's noise rises and drifts ahead a little: clouds boil.
+  const double rise = 0.7 * p.evolution * view.elapsed;
+  glm::dvec3 s = at_eye(view, carried * 1.02, kShapePeriod * p.scale, 1);
+  s.y = fraction(s.y - rise / (kShapePeriod * p.scale));
+  data.shape = pack(s, 1.0 / (kShapePeriod * p.scale));
+  glm::dvec3 d = at_eye(view, carried, kDetailPeriod * p.scale, 2);
+  d.y = fraction(d.y - 1.3 * rise / (kDetailPeriod * p.scale));
+  data.detail = pack(d, 1.0 / (kDetailPeriod * p.scale));
+  const glm::dvec3 c = at_eye(view, carried, kCurlPeriod * p.scale, 3);
+  data.curl = pack(c.x, c.z, 1.0 / (kCurlPeriod * p.scale), kCurlReach * p.curl * p.scale);
+  data.form = pack(p.density_threshold, p.roughness, p.erosion, p.scale);
+
+  const glm::dvec2 along = turned(view.wind_to, p.direction_offset_deg);
+  data.wind = pack(along.x, along.y, p.shear * std::min(view.wind_speed / 8.0, 2.0), 0.0);
+  const bool box = p.container == static_cast<int>(CloudContainer::kBox);
+  data.box = pack(box ? -view.eye.x : 0.0, box ? -view.eye.z : 0.0,
+                  box ? 500.0 * p.box_size : kHuge, 1e-3 / p.edge_fade);
+
+  const double to_sun = glm::dot(light.sun_illuminance, glm::dvec3(0.2126, 0.7152, 0.0722));
+  const double to_moon = glm::dot(light.moon_illuminance, glm::dvec3(0.2126, 0.7152, 0.0722));
+  // Clouds see a sun that has set here: it lights them from below for some minutes more.
+  const bool sun = light.sun_direction.y > -0.06 || to_sun >= to_moon;
+  data.light_direction = pack(sun ? light.sun_direction : light.moon_direction, 0.0);
+  data.light_source = pack(sun ? light.sun_source : light.moon_source, 0.0);
+  data.light = pack(p.sun_absorption, p.cloud_absorption, p.darkness_floor, p.brightness);
+  data.phase = pack(p.forward_scattering, p.back_scattering, p.back_share, p.phase_weight);
+  data.ambient = pack(p.powder, p.ambient, 0.0, 0.0);
+
+  const glm::dvec3 h = at_eye(view, cloud_carried(view, kHighHeight), kHighPeriod, 4);
+  data.high = pack(h.x, h.z, 1.0 / kHighPeriod, kHighHeight);
+  data.march = pack(p.step_scale, 0.0, 0.0, 0.0);
+  data.high_form = pack(1.0 - weather.high, 0.9 * weather.high, along.x, along.y);
+  return data;
+}
+
+void CloudIds::read_by(PassBuilder& pass) const {
+  pass.read(shape).read(detail).read(curl).read(weather).read(most).read(block, Access::kUniform);
+}
+
+CloudField::CloudField(ShaderLibrary& shaders)
+    : noise_(shaders),
+      weather_(shaders),
+      volume_("clouds volume", GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, GL_REPEAT, GL_REPEAT),
+      plane_("clouds plane", GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
+      nearest_("clouds cells", GL_NEAREST, GL_NEAREST, GL_REPEAT, GL_REPEAT),
+      block_("clouds block", sizeof(shared::CloudData)) {
+  glSamplerParameteri(volume_.id(), GL_TEXTURE_WRAP_R, GL_REPEAT);
+}
+
+CloudIds CloudField::add(FrameGraph& graph, const CloudView& view, const shared::CloudData& data) {
+  lowest_base_ = data.layer.x;
+  const CloudNoise::Ids noise = noise_.add(graph, view.parameters);
+  const WeatherMap::Ids weather =
+      weather_.add(graph, noise.weather, view.weather, view.elapsed, view.parameters, view.seed);
+  const CloudIds ids{noise.shape,     noise.detail, noise.curl,
+                     weather.weather, weather.most, graph.import(block_)};
+  graph.add(
+      "clouds.block",
+      [&](PassBuilder& pass) {
+        pass.write(ids.block, Access::kTransfer)
+            .cache(block_memory_, hash_bytes(&data, sizeof(data)));
+      },
+      [this, data](PassContext&) { block_.write(data); });
+  return ids;
+}
+
+void CloudField::bind(const PassContext& context, const CloudIds& ids) const {
+  const auto bind = [&](TextureId id, const gl::Sampler& sampler, GLuint unit) {
+    context.texture(id).bind(unit);
+    sampler.bind(unit);
+  };
+  bind(ids.shape, volume_, OFFING_UNIT_CLOUD_SHAPE);
+  bind(ids.detail, volume_, OFFING_UNIT_CLOUD_DETAIL);
+  bind(ids.curl, plane_, OFFING_UNIT_CLOUD_CURL);
+  bind(ids.weather, plane_, OFFING_UNIT_CLOUD_WEATHER);
+  bind(ids.most, nearest_, OFFING_UNIT_CLOUD_MOST);
+  context.buffer(ids.block).bind_uniform(OFFING_BIND_CLOUDS);
+}
+
+}  // namespace offing

@@ -1,0 +1,259 @@
+#include "engine/clouds/cloud_march.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "engine/core/random.h"
+#include "shaders/shared/bindings.h"
+
+namespace offing {
+namespace {
+
+constexpr int kDomeVertices = 96 * 3;  // as in sky/dome.vert
+/// Farther in one frame than anything flies, m; a turn that leaves nothing of the picture.
+constexpr double kCutDistance = 300.0, kCutCosine = 0.9;
+
+GLuint groups(int size) { return static_cast<GLuint>((size + 7) / 8); }
+
+/// The order in which the pixels of a cell take their turns: each falls far from the ones before.
+glm::ivec2 pixel_of_turn(glm::ivec2 cell, int turn) {
+  // Bits of the turn, swapped between x and y and reversed: Bayer's matrix.
+  glm::ivec2 at(0);
+  int bits = turn % (cell.x * cell.y);
+  glm::ivec2 half = cell / 2;
+  while (half.x > 0 || half.y > 0) {
+    const int low = bits & 1;
+    bits >>= 1;
+    int high = 0;
+    if (half.x > 0 && half.y > 0) {
+      high = bits & 1;
+      bits >>= 1;
+      at.x += half.x * (low ^ high);
+      at.y += half.y * low;
+    } else if (half.x > 0) {
+      at.x += half.x * low;
+    } else {
+      at.y += half.y * low;
+    }
+    half /= 2;
+  }
+  return at;
+}
+
+ShaderDefines march_defines(const CloudQuality& quality) {
+  return {{"STEPS", std::to_string(quality.steps)},
+          {"SKIPS", "24"},
+          {"FINEST", fmt::format("{:.4f}", quality.finest)},
+          {"GROWTH", fmt::format("{:.5f}", quality.growth)},
+          {"REACH", fmt::format("{:.1f}", quality.reach)}};
+}
+
+gl::Texture picture(const char* label, GLenum format, glm::ivec2 size) {
+  return {label, {.format = format, .width = size.x, .height = size.y}};
+}
+
+glm::vec3 forward_of(const CloudCamera& camera) {
+  const glm::vec4 ahead = glm::inverse(camera.clip_from_relative) * glm::vec4(0, 0, 1, 1);
+  return glm::normalize(glm::vec3(ahead));
+}
+
+}  // namespace
+
+CloudQuality CloudQuality::of(int quality) {
+  switch (quality) {
+    case 0:
+      return {{4, 4}, 36, 3, 45.0f, 0.011f, 70000.0f};
+    case 1:
+      return {{4, 2}, 64, 4, 30.0f, 0.008f, 90000.0f};
+    case 2:
+      return {{2, 2}, 96, 5, 20.0f, 0.006f, 110000.0f};
+    default:
+      return {{1, 1}, 160, 6, 12.0f, 0.004f, 130000.0f};
+  }
+}
+
+CloudMarch::CloudMarch(ShaderLibrary& shaders, int quality)
+    : quality_(CloudQuality::of(quality)),
+      march_program_(shaders.program({"clouds/march.comp"}, march_defines(quality_))),
+      bounds_program_(shaders.program({"clouds/bounds.comp"})),
+      resolve_program_(shaders.program({"clouds/resolve.comp"})),
+      far_program_(shaders.program({"sky/dome.vert", "clouds/composite.frag"})),
+      all_program_(shaders.program({"post/full_screen.vert", "clouds/composite.frag"},
+                                   {{"NEAR_THINGS", "1"}})),
+      linear_("clouds history", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
+      no_vertices_("clouds without vertices") {}
+
+void CloudMarch::resize(glm::ivec2 size) {
+  if (pictures_[0] && glm::ivec2(pictures_[0].width(), pictures_[0].height()) == size) return;
+  const glm::ivec2 cells = (size + quality_.cell - 1) / quality_.cell;
+  seen_ = picture("clouds seen", GL_RGBA16F, cells);
+  distance_ = picture("clouds distance", GL_R16F, cells);
+  least_ = picture("clouds least", GL_RGBA16F, cells);
+  most_ = picture("clouds most", GL_RGBA16F, cells);
+  whole_distance_ = picture("clouds distance of all", GL_R16F, size);
+  pictures_[0] = picture("clouds picture a", GL_RGBA16F, size);
+  pictures_[1] = picture("clouds picture b", GL_RGBA16F, size);
+  known_ = false;
+  for (PassMemory* memory : {&march_memory_, &bounds_memory_, &resolve_memory_}) memory->reset();
+}
+
+TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const CloudIds& ids,
+                          const Sky& sky, const SkyIds& sky_ids, const CloudShadow& shadow,
+                          const CloudShadowIds& shadow_ids, const CloudView& view,
+                          const CloudCamera& camera, bool visible) {
+  resize(camera.size);
+  const int turns = quality_.cell.x * quality_.cell.y;
+  const glm::dvec2 carried = cloud_carried(view, view.parameters.base);
+  const bool cut = !known_ || glm::length(camera.eye - before_.eye) > kCutDistance ||
+                   glm::dot(forward_of(camera), forward_of(before_)) < kCutCosine ||
+                   glm::length(carried - carried_before_) > kCutDistance;
+  const bool whole = cut || turns == 1;
+
+  // While nothing moves two rounds say all there is to say.
+  const std::uint64_t shows =
+      hash_of(camera.clip_from_relative, camera.eye, camera.exposure, carried, view.elapsed,
+              view.weather, camera.size, view.parameters.light_steps, view.parameters.step_scale);
+  still_frames_ = shows == shown_ && !cut ? std::min(still_frames_ + 1, 2 * turns) : 0;
+  shown_ = shows;
+  const bool settled = still_frames_ >= 2 * turns;
+  if (!settled && !whole) ++turn_;
+  const glm::ivec2 chosen = pixel_of_turn(quality_.cell, turn_);
+  const float shift = static_cast<float>(std::fmod(0.618033988749895 * (turn_ / turns), 1.0));
+  const int old = newest_;
+  if (visible && !settled) newest_ = 1 - newest_;
+  const gl::Texture& result = pictures_[newest_];
+  const gl::Texture& history = pictures_[settled ? 1 - newest_ : old];
+
+  const TextureId result_id = graph.import(result), history_id = graph.import(history);
+  const TextureId seen = graph.import(seen_), distance = graph.import(distance_);
+  const TextureId least = graph.import(least_), most = graph.import(most_);
+  const int light_steps =
+      view.parameters.light_steps > 0 ? view.parameters.light_steps : quality_.light_steps;
+  const glm::ivec2 cell = whole ? glm::ivec2(1) : quality_.cell;
+  const gl::Texture& target = whole ? result : seen_;
+  const gl::Texture& target_distance = whole ? whole_distance_ : distance_;
+  const std::uint64_t key = hash_of(shows, still_frames_, turn_, whole, march_program_.generation(),
+                                    resolve_program_.generation());
+  graph.add(
+      "clouds.march",
+      [&](PassBuilder& pass) {
+        ids.read_by(pass);
+        sky_ids.read_by(pass);
+        shadow_ids.read_by(pass);
+        pass.write(graph.import(target)).write(graph.import(target_distance));
+        pass.cache(march_memory_, key).skip_if(!visible);
+      },
+      [this, &field, &sky, &shadow, &target, &target_distance, ids, sky_ids, shadow_ids, cell,
+       chosen = whole ? glm::ivec2(0) : chosen, shift, light_steps](const PassContext& context) {
+        sky.bind(context, sky_ids);
+        field.bind(context, ids);
+        shadow.bind(context, shadow_ids);
+        march_program_.use();
+        const gl::Program& program = march_program_.program();
+        program.set(0, cell);
+        program.set(1, chosen);
+        program.set(2, shift);
+        program.set(3, light_steps);
+        target.bind_image(0, GL_WRITE_ONLY);
+        target_distance.bind_image(1, GL_WRITE_ONLY);
+        glDispatchCompute(groups(target.width()), groups(target.height()), 1);
+      });
+  if (!whole) {
+    graph.add(
+        "clouds.bounds",
+        [&](PassBuilder& pass) {
+          pass.read(seen).write(least).write(most);
+          pass.cache(bounds_memory_, bounds_program_.generation()).skip_if(!visible);
+        },
+        [this](PassContext&) {
+          bounds_program_.use();
+          seen_.bind(0);
+          least_.bind_image(0, GL_WRITE_ONLY);
+          most_.bind_image(1, GL_WRITE_ONLY);
+          glDispatchCompute(groups(least_.width()), groups(least_.height()), 1);
+        });
+    const glm::dvec2 wind = carried - carried_before_;
+    const glm::dvec3 moved = camera.eye - before_.eye - glm::dvec3(wind.x, 0.0, wind.y);
+    const glm::mat4 clip_before = before_.clip_from_relative;
+    graph.add(
+        "clouds.resolve",
+        [&](PassBuilder& pass) {
+          pass.read(seen).read(distance).read(least).read(most).read(history_id).write(result_id);
+          pass.cache(resolve_memory_, key).skip_if(!visible);
+        },
+        [this, &result, &history, chosen, moved, clip_before](PassContext&) {
+          resolve_program_.use();
+          const gl::Program& program = resolve_program_.program();
+          program.set(0, quality_.cell);
+          program.set(1, chosen);
+          program.set(2, glm::vec3(moved));
+          program.set(3, clip_before);
+          program.set(7, 0.65f);
+          seen_.bind(0);
+          distance_.bind(1);
+          least_.bind(2);
+          most_.bind(3);
+          history.bind(4);
+          linear_.bind(4);
+          seen_.bind(5);
+          linear_.bind(5);
+          result.bind_image(0, GL_WRITE_ONLY);
+          glDispatchCompute(groups(result.width()), groups(result.height()), 1);
+          glBindSampler(4, 0);
+          glBindSampler(5, 0);
+        });
+  }
+  before_ = camera;
+  carried_before_ = carried;
+  known_ = visible;
+  return result_id;
+}
+
+void CloudMarch::add_composite(FrameGraph& graph, const CloudField& field, const CloudIds& ids,
+                               const Sky& sky, const SkyIds& sky_ids, TextureId seen, TextureId hdr,
+                               TextureId depth, bool visible, bool from_below) {
+  graph.add(
+      "clouds.composite",
+      [&](PassBuilder& pass) {
+        pass.read(seen);
+        ids.read_by(pass);
+        sky_ids.read_by(pass);
+        pass.modify(hdr);
+        if (from_below) {
+          pass.read(depth, Access::kAttachment).render_to({hdr}, depth);
+        } else {
+          pass.read(depth).render_to({hdr});
+        }
+        pass.skip_if(!visible);
+      },
+      [this, &field, &sky, ids, sky_ids, seen, depth, from_below](const PassContext& context) {
+        sky.bind(context, sky_ids);
+        field.bind(context, ids);
+        context.texture(seen).bind(0);
+        no_vertices_.bind();
+        glEnable(GL_BLEND);
+        glBlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
+        glDepthMask(GL_FALSE);
+        if (from_below) {
+          glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+          glEnable(GL_DEPTH_TEST);
+          glDepthFunc(GL_GEQUAL);
+          far_program_.use();
+          far_program_.program().set(0, 1.0f);
+          glDrawArrays(GL_TRIANGLES, 0, kDomeVertices);
+        } else {
+          context.texture(depth).bind(1);
+          glDisable(GL_DEPTH_TEST);
+          all_program_.use();
+          glDrawArrays(GL_TRIANGLES, 0, 3);
+        }
+        glDisable(GL_BLEND);
+        glDepthMask(GL_TRUE);
+      });
+}
+
+}  // namespace offing

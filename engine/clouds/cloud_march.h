@@ -1,0 +1,74 @@
+#pragma once
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "engine/clouds/cloud_field.h"
+#include "engine/clouds/cloud_shadow.h"
+#include "engine/sky/sky.h"
+
+namespace offing {
+
+/// What a picture of clouds costs.
+struct CloudQuality {
+  glm::ivec2 cell{4, 4};  ///< one pixel of such a cell is marched in a frame
+  int steps = 40;         ///< most of a ray, in and near cloud
+  int light_steps = 3;
+  float finest = 45.0f;    ///< shortest step, m
+  float growth = 0.011f;   ///< step over distance
+  float reach = 70000.0f;  ///< m
+  /// 0 low, 1 medium, 2 high, 3 ultra.
+  static CloudQuality of(int quality);
+};
+
+/// What the picture of this frame is seen through.
+struct CloudCamera {
+  glm::ivec2 size{1};
+  glm::mat4 clip_from_relative{1.0f};
+  glm::dvec3 eye{0.0};
+  double exposure = 1.0;
+};
+
+/// The clouds of the picture: marched for a share of the pixels in each frame, the rest out of the
+/// frames before.
+class CloudMarch {
+ public:
+  CloudMarch(ShaderLibrary& shaders, int quality);
+
+  /// Adds clouds.march, clouds.bounds and clouds.resolve; returns radiance × exposure and
+  /// transmittance (RGBA16F) at the size of the picture. After a cut, and in the first frame, every
+  /// pixel is marched. Nothing runs where not `visible`.
+  TextureId add(FrameGraph& graph, const CloudField& field, const CloudIds& ids, const Sky& sky,
+                const SkyIds& sky_ids, const CloudShadow& shadow, const CloudShadowIds& shadow_ids,
+                const CloudView& view, const CloudCamera& camera, bool visible);
+  /// Adds clouds.composite: the clouds over the sky, and from among them or above over the sea too.
+  void add_composite(FrameGraph& graph, const CloudField& field, const CloudIds& ids,
+                     const Sky& sky, const SkyIds& sky_ids, TextureId seen, TextureId hdr,
+                     TextureId depth, bool visible, bool from_below);
+
+  const CloudQuality& quality() const { return quality_; }
+
+ private:
+  void resize(glm::ivec2 size);
+
+  CloudQuality quality_;
+  const ShaderProgram& march_program_;
+  const ShaderProgram& bounds_program_;
+  const ShaderProgram& resolve_program_;
+  const ShaderProgram& far_program_;
+  const ShaderProgram& all_program_;
+  gl::Sampler linear_;
+  gl::VertexArray no_vertices_;
+  gl::Texture seen_, distance_, least_, most_, whole_distance_;
+  gl::Texture pictures_[2];
+  int newest_ = 0;
+  int turn_ = 0;          ///< which pixel of each cell comes next
+  int still_frames_ = 0;  ///< since anything has changed
+  bool known_ = false;
+  std::uint64_t shown_ = 0;
+  CloudCamera before_;
+  glm::dvec2 carried_before_{0.0};
+  PassMemory march_memory_, bounds_memory_, resolve_memory_;
+};
+
+}  // namespace offing

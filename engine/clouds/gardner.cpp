@@ -1,0 +1,222 @@
+#include "engine/clouds/gardner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "engine/core/angles.h"
+#include "engine/core/random.h"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/gardner.h"
+
+#define OFFING_GLSL "shaders/lib/gardner.glsl"
+#include "engine/core/glsl_double.h"
+
+namespace offing {
+namespace {
+
+constexpr double kHighHeight = 8200.0;  // m
+constexpr double kCell = 1900.0;        // m between cumuli
+constexpr int kCellsAcross = 7;         // on either side of the camera
+constexpr int kHeap = 7;                // ellipsoids of a cumulus at most
+constexpr int kMostEllipsoids = (2 * kCellsAcross + 1) * (2 * kCellsAcross + 1) * kHeap;
+constexpr int kDomeVertices = 96 * 3;  // as in sky/dome.vert
+
+glm::vec4 pack(const glm::dvec3& v, double w) { return {glm::vec3(v), static_cast<float>(w)}; }
+glm::vec4 pack(double x, double y, double z, double w) { return glm::vec4(glm::dvec4(x, y, z, w)); }
+
+/// Into one period of the texture, which is two wavelengths.
+double in_period(double wavelengths) { return wavelengths - 2.0 * std::floor(0.5 * wavelengths); }
+
+/// `high_threshold`: what the texture exceeds over the share of the sky that high clouds cover.
+shared::GardnerData gardner_data(const GardnerView& view, const SkyLight& light,
+                                 double high_threshold) {
+  const GardnerParameters& p = view.parameters;
+  shared::GardnerData data{};
+  const auto luminance = [](const glm::dvec3& c) {
+    return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722));
+  };
+  // High clouds see the sun for some minutes after it has set here.
+  const bool sun = light.sun_direction.y > -0.09 ||
+                   luminance(light.sun_illuminance) >= luminance(light.moon_illuminance);
+  data.light_direction = pack(sun ? light.sun_direction : light.moon_direction, 0.0);
+  data.light_source = pack(sun ? light.sun_source : light.moon_source, 0.0);
+
+  const glm::dvec2 to = view.wind_to;
+  const glm::dvec2 place = glm::dvec2(view.eye.x, view.eye.z) - view.high_carried;
+  const double wavelength = 1000.0 * p.high_wavelength;
+  data.high = pack(in_period(glm::dot(place, to) / (wavelength * p.high_stretch)),
+                   in_period(glm::dot(place, glm::dvec2(-to.y, to.x)) / wavelength),
+                   1.0 / wavelength, kHighHeight);
+  data.high_wind = pack(to.x, to.y, p.high_stretch, p.contrast);
+  data.high_form =
+      pack(high_threshold, p.high_range, p.high_depth * (0.35 + 0.65 * view.weather.high), p.terms);
+
+  data.shading = pack(p.ambient, p.texture, p.specular, p.contrast);
+  data.translucency = pack(p.threshold, p.limb_threshold, p.range, p.terms);
+  const double low = 1000.0 * p.wavelength;
+  data.pattern = pack(
+      glm::dvec3(in_period((view.eye.x - view.low_carried.x) / low), in_period(view.eye.y / low),
+                 in_period((view.eye.z - view.low_carried.y) / low)),
+      1.0 / low);
+  return data;
+}
+
+}  // namespace
+
+void GardnerParameters::describe(FieldTable& table) {
+  table.group("clouds.gardner")
+      .integer("terms", terms, {4, 7}, "of the texture's series of sines")
+      .number("contrast", contrast, {1.0, 8.0}, "", "T0 of the texture: 1 all, more is fainter")
+      .number("high_range", high_range, {0.01, 1.0}, "",
+              "D of high clouds: from clear to dense within this much of the texture")
+      .number("high_depth", high_depth, {0.0, 8.0}, "", "optical depth of the densest high cloud")
+      .number("high_wavelength", high_wavelength, {1.0, 100.0}, "km", "of high clouds' texture")
+      .number("high_stretch", high_stretch, {1.0, 12.0}, "", "longer along the wind by this")
+      .number("ambient", ambient, {0.0, 1.0}, "", "a: share of even light on ellipsoids")
+      .number("texture", texture, {0.0, 1.0}, "", "t: share of the texture in their shading")
+      .number("specular", specular, {0.0, 1.0}, "", "s: share of shine in their shading")
+      .number("threshold", threshold, {0.0, 1.0}, "", "T1: their texture's threshold in the middle")
+      .number("limb_threshold", limb_threshold, {0.0, 2.0}, "", "T2: and at their outline")
+      .number("range", range, {0.01, 1.0}, "", "D: from clear to dense within this much")
+      .number("wavelength", wavelength, {0.1, 20.0}, "km", "of the ellipsoids' texture");
+}
+
+std::vector<double> gardner_values(int terms, double contrast) {
+  constexpr int kSide = 96;
+  std::vector<double> values;
+  values.reserve(kSide * kSide);
+  for (int y = 0; y < kSide; ++y) {
+    for (int x = 0; x < kSide; ++x) {
+      values.push_back(glsl::gardner_texture(
+          {2.0 * (x + 0.37) / kSide, 2.0 * (y + 0.61) / kSide, 0.0}, terms, contrast, 0.0));
+    }
+  }
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+std::vector<GardnerEllipsoid> gardner_cumuli(const GardnerView& view) {
+  std::vector<GardnerEllipsoid> all;
+  const glm::dvec2 eye = glm::dvec2(view.eye.x, view.eye.z) - view.low_carried;
+  const auto cell_x = static_cast<std::int64_t>(std::floor(eye.x / kCell));
+  const auto cell_z = static_cast<std::int64_t>(std::floor(eye.y / kCell));
+  for (std::int64_t z = cell_z - kCellsAcross; z <= cell_z + kCellsAcross; ++z) {
+    for (std::int64_t x = cell_x - kCellsAcross; x <= cell_x + kCellsAcross; ++x) {
+      const auto stream = static_cast<std::uint64_t>(x) * 0x9e3779b97f4a7c15ull ^
+                          static_cast<std::uint64_t>(z) * 0xc2b2ae3d27d4eb4full;
+      std::uint64_t count = 0;
+      const auto random = [&] { return random_uniform(view.seed + 77, stream, count++); };
+      if (random() >= view.weather.cover) continue;
+      const double size = (0.35 + 0.65 * random()) * (0.6 + 0.6 * view.weather.cover);
+      const glm::dvec2 middle((static_cast<double>(x) + random()) * kCell,
+                              (static_cast<double>(z) + random()) * kCell);
+      const int heap = 4 + static_cast<int>(random() * (kHeap - 3));
+      for (int i = 0; i < heap; ++i) {
+        const double turn = kTau * random(), out = i == 0 ? 0.0 : 620.0 * size * random();
+        const double share = i == 0 ? 1.0 : 0.45 + 0.4 * random();
+        const glm::dvec3 radii = glm::dvec3(720.0, 430.0, 720.0) * (size * share);
+        const glm::dvec2 at = middle + out * glm::dvec2(std::cos(turn), std::sin(turn)) - eye;
+        const double height = view.base + (0.35 + (i == 0 ? 0.0 : 0.9 * random())) * radii.y;
+        const double drop = glm::dot(at, at) / (2.0 * 6.36e6);  // the earth is round
+        all.push_back({glm::vec3(glm::dvec3(at.x, height - drop - view.eye.y, at.y)), 0.0f,
+                       glm::vec3(radii), static_cast<float>(view.base)});
+      }
+    }
+  }
+  std::sort(all.begin(), all.end(), [](const GardnerEllipsoid& a, const GardnerEllipsoid& b) {
+    return glm::dot(a.centre, a.centre) > glm::dot(b.centre, b.centre);
+  });
+  return all;
+}
+
+GardnerClouds::GardnerClouds(ShaderLibrary& shaders)
+    : high_program_(shaders.program({"sky/dome.vert", "clouds/high.frag"})),
+      ellipsoid_program_(shaders.program({"clouds/ellipsoid.vert", "clouds/ellipsoid.frag"})),
+      block_("gardner block", sizeof(shared::GardnerData)),
+      ellipsoids_("gardner ellipsoids", kMostEllipsoids * sizeof(GardnerEllipsoid)),
+      ellipsoid_array_("gardner ellipsoids"),
+      no_vertices_("gardner without vertices") {
+  ellipsoid_array_.attribute(0, 4, ellipsoids_.id(), sizeof(GardnerEllipsoid), 0);
+  ellipsoid_array_.attribute(1, 4, ellipsoids_.id(), sizeof(GardnerEllipsoid), sizeof(glm::vec4));
+  glVertexArrayBindingDivisor(ellipsoid_array_.id(), 0, 1);
+  glVertexArrayBindingDivisor(ellipsoid_array_.id(), 1, 1);
+}
+
+void GardnerClouds::add(FrameGraph& graph, const GardnerView& view, const SkyLight& light,
+                        const Sky& sky, const SkyIds& sky_ids, TextureId hdr, TextureId depth) {
+  const bool high = view.sky_visible && view.weather.high > 0.0 && view.eye.y < kHighHeight - 100.0;
+  const bool heaps = view.sky_visible && view.ellipsoids && view.weather.cover > 0.0;
+  const BufferId block = graph.import(block_);
+  if (high || heaps) {
+    const GardnerParameters& p = view.parameters;
+    if (values_terms_ != p.terms || values_contrast_ != p.contrast) {
+      values_ = gardner_values(p.terms, p.contrast);
+      values_terms_ = p.terms;
+      values_contrast_ = p.contrast;
+    }
+    const double rank =
+        (1.0 - std::clamp(view.weather.high, 0.0, 1.0)) * static_cast<double>(values_.size() - 1);
+    const shared::GardnerData data =
+        gardner_data(view, light, values_[static_cast<std::size_t>(rank)]);
+    graph.add(
+        "clouds.gardner_block",
+        [&](PassBuilder& pass) {
+          pass.write(block, Access::kTransfer)
+              .cache(block_memory_, hash_bytes(&data, sizeof(data)));
+        },
+        [this, data](PassContext&) { block_.write(data); });
+  }
+  const auto declare = [&](PassBuilder& pass) {
+    sky_ids.read_by(pass);
+    pass.read(block, Access::kUniform)
+        .read(depth, Access::kAttachment)
+        .modify(hdr)
+        .render_to({hdr}, depth);
+  };
+  const auto over_the_sky = [this, &sky, sky_ids](const PassContext& context) {
+    sky.bind(context, sky_ids);
+    block_.bind_uniform(OFFING_BIND_GARDNER);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GEQUAL);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
+  };
+  const auto done = [] {
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+  };
+  graph.add(
+      "clouds.high",
+      [&](PassBuilder& pass) {
+        declare(pass);
+        pass.skip_if(!high);
+      },
+      [this, over_the_sky, done](PassContext& context) {
+        over_the_sky(context);
+        no_vertices_.bind();
+        high_program_.use();
+        high_program_.program().set(0, 1.0f);
+        glDrawArrays(GL_TRIANGLES, 0, kDomeVertices);
+        done();
+      });
+  std::vector<GardnerEllipsoid> cumuli;
+  if (heaps) cumuli = gardner_cumuli(view);
+  graph.add(
+      "clouds.ellipsoids",
+      [&](PassBuilder& pass) {
+        declare(pass);
+        pass.skip_if(cumuli.empty());
+      },
+      [this, over_the_sky, done, cumuli](PassContext& context) {
+        ellipsoids_.write(cumuli.data(), cumuli.size() * sizeof(GardnerEllipsoid));
+        over_the_sky(context);
+        ellipsoid_array_.bind();
+        ellipsoid_program_.use();
+        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(cumuli.size()));
+        done();
+      });
+}
+
+}  // namespace offing

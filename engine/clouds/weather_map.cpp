@@ -1,0 +1,123 @@
+#include "engine/clouds/weather_map.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "engine/core/error.h"
+#include "engine/core/random.h"
+#include "engine/io/image.h"
+
+namespace offing {
+namespace {
+
+constexpr int kLargestPicture = 4096;
+
+double fraction(double x) { return x - std::floor(x); }
+GLuint groups(int size) { return static_cast<GLuint>((size + 7) / 8); }
+
+/// Where a pattern lies at a time: a random place that wanders, in periods.
+glm::vec2 offset(std::uint64_t seed, std::uint64_t pattern, double elapsed, double speed) {
+  const double way = 6.283185307179586 * random_uniform(seed, 100 + pattern, 2);
+  const double moved = elapsed * speed / WeatherMap::kPeriod;
+  return glm::vec2(
+      glm::dvec2(fraction(random_uniform(seed, 100 + pattern, 0) + moved * std::cos(way)),
+                 fraction(random_uniform(seed, 100 + pattern, 1) + moved * std::sin(way))));
+}
+
+gl::Texture plane(const char* label, int side) {
+  return {label, {.format = GL_RGBA8, .width = side, .height = side}};
+}
+
+}  // namespace
+
+WeatherMap::WeatherMap(ShaderLibrary& shaders)
+    : weather_program_(shaders.program({"clouds/weather.comp"})),
+      most_program_(shaders.program({"clouds/most.comp"})),
+      weather_(plane("clouds weather", kTexels)),
+      most_(plane("clouds most", kCells)),
+      picture_(plane("clouds weather picture", 1)),
+      repeating_("clouds weather", GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT) {}
+
+void WeatherMap::load_picture(const std::string& file) {
+  if (file == picture_file_) return;
+  glm::vec4 channels(0.0f);
+  gl::Texture picture = plane("clouds weather picture", 1);
+  if (!file.empty()) {
+    const Image image = read_image(file);
+    if (image.width > kLargestPicture || image.height > kLargestPicture) {
+      throw InputError(
+          fmt::format("clouds.weather_picture = {}: {} x {} pixels: must be at most {}", file,
+                      image.width, image.height, kLargestPicture));
+    }
+    std::vector<std::uint8_t> texels(static_cast<std::size_t>(image.width) *
+                                     static_cast<std::size_t>(image.height) * 4);
+    const auto stored = static_cast<std::size_t>(image.channels);
+    for (std::size_t i = 0; i * 4 < texels.size(); ++i) {
+      for (std::size_t c = 0; c < std::min<std::size_t>(stored, 4); ++c) {
+        const float value = image.pixels[i * stored + c];
+        texels[4 * i + c] = static_cast<std::uint8_t>(
+            std::lround(255.0 * std::clamp(std::isfinite(value) ? value : 0.0f, 0.0f, 1.0f)));
+      }
+    }
+    for (int c = 0; c < std::min(image.channels, 4); ++c) channels[c] = 1.0f;
+    picture = gl::Texture("clouds weather picture",
+                          {.format = GL_RGBA8, .width = image.width, .height = image.height});
+    picture.upload(GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
+  }
+  picture_ = std::move(picture);
+  picture_channels_ = channels;
+  picture_file_ = file;
+  memory_.reset();
+}
+
+WeatherMap::Ids WeatherMap::add(FrameGraph& graph, TextureId patterns, const Clouds& weather,
+                                double elapsed, const CloudParameters& parameters,
+                                std::uint64_t seed) {
+  load_picture(parameters.weather_picture);
+  const Ids ids{graph.import(weather_), graph.import(most_)};
+  // In steps of the clock: the map costs a millisecond, and clouds change slowly.
+  const double time = parameters.evolution * kStep * std::floor(elapsed / kStep);
+  const glm::vec2 cells = offset(seed, 0, time, 0.6), finer = offset(seed, 1, time, 1.1);
+  const glm::vec2 fronts = offset(seed, 2, time, 1.6), patches = offset(seed, 3, time, 0.3);
+  const std::array<glm::vec4, 2> offsets = {glm::vec4(cells, finer), glm::vec4(fronts, patches)};
+  const bool drawn = !picture_file_.empty();
+  const glm::vec4 state(
+      glm::dvec4(weather.cover, weather.type, weather.precipitation, drawn ? 1.0 : 0.0));
+  graph.add(
+      "clouds.weather",
+      [&](PassBuilder& pass) {
+        pass.read(patterns)
+            .write(ids.weather)
+            .write(ids.most)
+            .cache(memory_, hash_of(offsets, state, weather_program_.generation(),
+                                    most_program_.generation()));
+      },
+      [this, patterns, offsets, state](const PassContext& context) {
+        weather_program_.use();
+        for (int i = 0; i < 2; ++i) {
+          weather_program_.program().set(i, offsets[static_cast<std::size_t>(i)]);
+        }
+        weather_program_.program().set(2, state);
+        weather_program_.program().set(3, picture_channels_);
+        context.texture(patterns).bind(0);
+        picture_.bind(1);
+        repeating_.bind(0);
+        repeating_.bind(1);
+        weather_.bind_image(0, GL_WRITE_ONLY);
+        glDispatchCompute(groups(kTexels), groups(kTexels), 1);
+        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+        most_program_.use();
+        weather_.bind(0);
+        most_.bind_image(0, GL_WRITE_ONLY);
+        glDispatchCompute(groups(kCells), groups(kCells), 1);
+        glBindSampler(0, 0);
+        glBindSampler(1, 0);
+      });
+  return ids;
+}
+
+}  // namespace offing

@@ -1,0 +1,311 @@
+#include "engine/sky/probe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "engine/core/angles.h"
+#include "engine/core/random.h"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/probe.h"
+
+namespace offing {
+namespace {
+
+using shared::kProbeLevels;
+
+// Rows of a work group of the probe's shaders, and texels across.
+constexpr int kGroupRows = 4, kGroupColumns = 16;
+constexpr int kRowsPerRough = 8;  // rows that one invocation of probe_rough.comp makes
+// A leap: the light has gone further in one frame than any clock of the game moves it, or the
+// camera is elsewhere. What is shown is then made anew at once.
+constexpr double kLeapAngle = 0.026, kLeapHaze = 0.02, kLeapHeight = 0.25;
+// Steps that start another generation.
+constexpr double kAngleStep = 1e-4, kHeightStep = 0.02, kLightStep = 1e-3, kWindStep = 0.25;
+
+// Texels per side of a level over those of level 0. The levels are of the roughnesses 0, 0.2 … 1.
+constexpr double kSideShare[kProbeLevels] = {1.0, 0.75, 0.5, 0.375, 0.25, 0.25};
+
+// Nanoseconds per texel or cell, and per pair of texel and sample or cell, on a CPU renderer; only
+// their ratios matter.
+constexpr double kCaptureCost = 400.0, kSampleCost = 30.0, kCellCost = 150.0, kPairCost = 1.0,
+                 kIrradianceCost = 60.0;
+
+std::int64_t steps_of(double value, double step) {
+  return static_cast<std::int64_t>(std::llround(value / step));
+}
+
+std::uint64_t hash_direction(const glm::dvec3& d, double step) {
+  return hash_of(steps_of(d.x, step), steps_of(d.y, step), steps_of(d.z, step));
+}
+
+}  // namespace
+
+ProbeSettings ProbeSettings::of_quality(int quality) {
+  constexpr ProbeSettings kQualities[] = {
+      {64, 64, 16, 8}, {64, 128, 24, 8}, {128, 96, 32, 8}, {128, 128, 48, 8}};
+  return kQualities[std::clamp(quality, 0, 3)];
+}
+
+void ProbeIds::read_by(PassBuilder& pass) const { pass.read(map).read(block, Access::kUniform); }
+
+/// One frame's part.
+struct Probe::Frame {
+  int first_slice = 0, last_slice = -1;  ///< of the generation that is being made
+  float share = 0.0f;                    ///< of the way to the whole generation; 0: none
+  bool leap = false;
+  std::uint64_t key = 0;
+  State state{};
+  const Sky* sky = nullptr;
+  SkyIds sky_ids{};
+  std::optional<ProbeClouds> clouds;
+  bool idle() const { return last_slice < first_slice && share == 0.0f; }
+};
+
+Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
+    : settings_(settings),
+      capture_(shaders.program({"sky/probe_capture.comp"})),
+      glossy_(shaders.program({"sky/probe_glossy.comp"})),
+      cells_(shaders.program({"sky/probe_cells.comp"})),
+      rough_(shaders.program({"sky/probe_rough.comp"})),
+      irradiance_(shaders.program({"sky/probe_irradiance.comp"})),
+      blend_(shaders.program({"sky/probe_blend.comp"})),
+      linear_("probe", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE) {
+  int rows = 0;
+  for (const double share : kSideShare) {
+    const int side = static_cast<int>(share * settings_.size);
+    levels_.emplace_back(0, rows, side, 0);
+    rows += side;
+  }
+  const gl::TextureDesc desc{.format = GL_RGBA16F, .width = 2 * settings_.size, .height = rows};
+  shown_ = gl::Texture("probe shown", desc);
+  for (Generation& generation : generations_) {
+    generation.map = gl::Texture("probe generation", desc);
+    generation.irradiance =
+        gl::Buffer("probe irradiance", shared::kProbeHarmonics * sizeof(glm::vec4));
+  }
+  cell_list_ = gl::Buffer("probe cells", cell_count() * 2 * sizeof(glm::vec4));
+  shared::ProbeData data{};
+  for (int i = 0; i < kProbeLevels; ++i) data.levels[i] = glm::vec4(levels_[i]);
+  data.texel = glm::vec4(1.0f / static_cast<float>(desc.width),
+                         1.0f / static_cast<float>(desc.height), 0.0f, 0.0f);
+  block_ = gl::Buffer("probe block", sizeof(data), GL_DYNAMIC_STORAGE_BIT, &data);
+  next_slice_ = settings_.slices;
+  plan_work();
+}
+
+void Probe::plan_work() {
+  const auto level = [&](Kind kind, int index, double cost_per_texel) {
+    const int side = levels_[static_cast<std::size_t>(index)].z;
+    const int step = kind == Kind::kRough ? kRowsPerRough : kGroupRows;
+    for (int row = 0; row < side; row += step) {
+      const int rows = std::min(step, side - row);
+      work_.push_back({kind, index, row, rows, cost_per_texel * 2.0 * side * rows, 0});
+    }
+  };
+  const auto cells = static_cast<double>(cell_count());
+  level(Kind::kCapture, 0, kCaptureCost);
+  work_.push_back({Kind::kCells, 0, 0, 0, kCellCost * cells, 0});
+  work_.push_back({Kind::kIrradiance, 0, 0, 0, kIrradianceCost * cells, 0});
+  for (int i = 2; i < kProbeLevels; ++i) level(Kind::kRough, i, kPairCost * cells);
+  level(Kind::kGlossy, 1, kSampleCost * settings_.samples);
+  double total = 0.0, done = 0.0;
+  for (const Work& work : work_) total += work.cost;
+  for (Work& work : work_) {
+    const double middle = (done + 0.5 * work.cost) / total;
+    work.slice = std::min(static_cast<int>(middle * settings_.slices), settings_.slices - 1);
+    done += work.cost;
+  }
+  // What is done in the same frame to the same level is one dispatch.
+  std::vector<Work> merged;
+  for (const Work& work : work_) {
+    if (!merged.empty() && merged.back().slice == work.slice && merged.back().level == work.level &&
+        merged.back().kind == work.kind) {
+      merged.back().rows += work.rows;
+      merged.back().cost += work.cost;
+    } else {
+      merged.push_back(work);
+    }
+  }
+  work_ = std::move(merged);
+}
+
+std::vector<double> Probe::slice_shares() const {
+  std::vector<double> shares(static_cast<std::size_t>(settings_.slices), 0.0);
+  double total = 0.0;
+  for (const Work& work : work_) {
+    shares[static_cast<std::size_t>(work.slice)] += work.cost;
+    total += work.cost;
+  }
+  for (double& share : shares) share /= total;
+  return shares;
+}
+
+ProbeIds Probe::add(FrameGraph& graph, const SkyLight& light, double wind_speed, const Sky& sky,
+                    const SkyIds& sky_ids, const std::optional<ProbeClouds>& clouds) {
+  Frame frame;
+  frame.state = {light.sun_direction, light.moon_direction, std::max(light.camera_height, 1.0),
+                 light.haze, clouds.has_value()};
+  const bool moon_counts = light.sun_direction.y < 0.05 && light.moon_direction.y > -0.05;
+  frame.key =
+      hash_of(hash_direction(light.sun_direction, kAngleStep),
+              moon_counts ? hash_direction(light.moon_direction, kAngleStep) : std::uint64_t{0},
+              steps_of(light.sun_uncovered, kLightStep), steps_of(light.moon_phase, kLightStep),
+              steps_of(std::log(frame.state.height + 10.0), kHeightStep), light.haze,
+              steps_of(wind_speed, kWindStep), clouds ? clouds->version + 1 : std::uint64_t{0},
+              capture_.generation() + glossy_.generation() + cells_.generation() +
+                  rough_.generation() + irradiance_.generation());
+  const auto angle = [](const glm::dvec3& a, const glm::dvec3& b) {
+    return glm::length(glm::cross(a, b)) + (glm::dot(a, b) < 0.0 ? 1.0 : 0.0);
+  };
+  frame.leap =
+      !complete_ || angle(frame.state.sun, seen_.sun) > kLeapAngle ||
+      (moon_counts && angle(frame.state.moon, seen_.moon) > kLeapAngle) ||
+      std::abs(frame.state.haze - seen_.haze) > kLeapHaze ||
+      std::abs(std::log((frame.state.height + 100.0) / (seen_.height + 100.0))) > kLeapHeight ||
+      frame.state.clouds != seen_.clouds;
+  if (frame.leap) {
+    frame.last_slice = settings_.slices - 1;
+    frame.share = 1.0f;
+  } else {
+    if (next_slice_ < settings_.slices) {
+      frame.first_slice = frame.last_slice = next_slice_;
+    } else if (frame.key != key_) {
+      frame.last_slice = 0;
+    }
+    if (blend_left_ > 0) frame.share = 1.0f / static_cast<float>(blend_left_);
+  }
+  frame.sky = &sky;
+  frame.sky_ids = sky_ids;
+  frame.clouds = clouds;
+
+  const ProbeIds ids{graph.import(shown_), graph.import(block_)};
+  graph.add(
+      "sky.probe",
+      [&](PassBuilder& pass) {
+        pass.write(ids.map).write(ids.block).cached_if(frame.idle());
+        if (frame.idle()) return;
+        sky_ids.read_by(pass);
+        if (clouds) pass.read(clouds->map);
+        for (const Generation& generation : generations_) {
+          pass.modify(graph.import(generation.map)).modify(graph.import(generation.irradiance));
+        }
+      },
+      [this, frame](const PassContext& context) { run(frame, context); });
+  return ids;
+}
+
+void Probe::run(const Frame& frame, const PassContext& context) {
+  frame.sky->bind(context, frame.sky_ids);
+  if (frame.clouds) {
+    context.texture(frame.clouds->map).bind(OFFING_UNIT_CLOUD_MAP);
+    linear_.bind(OFFING_UNIT_CLOUD_MAP);
+  }
+  linear_.bind(OFFING_UNIT_PROBE);
+  // The map of an earlier frame goes on being shown while the next one is made.
+  if (frame.share > 0.0f && !frame.leap) {
+    blend(frame.share);
+    --blend_left_;
+  }
+  if (frame.last_slice >= frame.first_slice) {
+    if (frame.first_slice == 0) key_ = frame.key;
+    for (int slice = frame.first_slice; slice <= frame.last_slice; ++slice) {
+      run_slice(frame, slice, generations_[building_]);
+    }
+    next_slice_ = frame.last_slice + 1;
+    if (next_slice_ == settings_.slices) {
+      building_ = 1 - building_;
+      blend_left_ = settings_.slices;
+      complete_ = true;
+    }
+  }
+  if (frame.leap) {
+    blend(1.0f);
+    blend_left_ = 0;
+  }
+  seen_ = frame.state;
+}
+
+void Probe::run_slice(const Frame& frame, int slice, const Generation& into) {
+  into.map.bind(OFFING_UNIT_PROBE);
+  into.map.bind_image(0, GL_WRITE_ONLY);
+  into.irradiance.bind_storage(0);
+  cell_list_.bind_storage(1);
+  capture_.program().set(4, frame.clouds ? 1 : 0);
+  for (const Work& work : work_) {
+    if (work.slice != slice) continue;
+    // It may read what the last one wrote.
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+    dispatch(work);
+  }
+}
+
+void Probe::dispatch(const Work& work) const {
+  const glm::ivec4& level = levels_[static_cast<std::size_t>(work.level)];
+  const auto use = [&](const ShaderProgram& program) -> const gl::Program& {
+    program.use();
+    return program.program();
+  };
+  const auto go = [&](const gl::Program& program, int rows_per_group) {
+    program.set(0, glm::ivec4(level.x, level.y, level.z, work.first_row));
+    glDispatchCompute(static_cast<GLuint>((2 * level.z + kGroupColumns - 1) / kGroupColumns),
+                      static_cast<GLuint>((work.rows + rows_per_group - 1) / rows_per_group), 1);
+  };
+  const double roughness = work.level / (kProbeLevels - 1.0);
+  const auto alpha = static_cast<float>(roughness * roughness);
+  const auto cells = static_cast<int>(cell_count());
+  switch (work.kind) {
+    case Kind::kCapture:
+      go(use(capture_), kGroupRows);
+      break;
+    case Kind::kGlossy: {
+      const gl::Program& program = use(glossy_);
+      program.set(1, levels_[0]);
+      program.set(2, alpha);
+      program.set(3, settings_.samples);
+      program.set(5, levels_[2]);
+      go(program, kGroupRows);
+      break;
+    }
+    case Kind::kCells: {
+      const gl::Program& program = use(cells_);
+      program.set(1, levels_[0]);
+      program.set(2, settings_.cells);
+      glDispatchCompute(static_cast<GLuint>((cells + 63) / 64), 1, 1);
+      break;
+    }
+    case Kind::kRough: {
+      const gl::Program& program = use(rough_);
+      program.set(2, alpha);
+      program.set(3, cells);
+      go(program, kRowsPerRough);
+      break;
+    }
+    case Kind::kIrradiance:
+      use(irradiance_).set(3, cells);
+      glDispatchCompute(1, 1, 1);
+      break;
+  }
+}
+
+void Probe::blend(float share) {
+  const Generation& whole = generations_[1 - building_];
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+  shown_.bind_image(0, GL_READ_WRITE);
+  whole.map.bind_image(1, GL_READ_ONLY);
+  block_.bind_storage(0);
+  whole.irradiance.bind_storage(1);
+  blend_.use();
+  blend_.program().set(0, share);
+  blend_.program().set(1, glm::ivec2(shown_.width(), shown_.height()));
+  glDispatchCompute(static_cast<GLuint>((shown_.width() + 7) / 8),
+                    static_cast<GLuint>((shown_.height() + 7) / 8), 1);
+}
+
+void Probe::bind(const PassContext& context, const ProbeIds& ids) const {
+  context.texture(ids.map).bind(OFFING_UNIT_PROBE);
+  linear_.bind(OFFING_UNIT_PROBE);
+  context.buffer(ids.block).bind_uniform(OFFING_BIND_PROBE);
+}
+
+}  // namespace offing

@@ -1,0 +1,120 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/gl/buffer.h"
+#include "engine/gl/program.h"
+#include "engine/gl/texture.h"
+#include "engine/graph/frame_graph.h"
+#include "engine/shader/shader_library.h"
+#include "engine/sky/sky.h"
+#include "engine/sky/sky_light.h"
+
+namespace offing {
+
+/// What shaders/sky/probe.glsl reads, in this frame's graph.
+struct ProbeIds {
+  TextureId map;
+  BufferId block;  ///< shared::ProbeData
+  /// Declares that a pass uses probe.glsl. Where it runs, Probe::bind() must be called.
+  void read_by(PassBuilder& pass) const;
+};
+
+/// Clouds as the probe takes them in: a hemi-octahedral map of the upper half of the sky as seen
+/// from the boat (place of a direction: cloud_map_units() in shaders/sky/probe_source.glsl). rgb:
+/// radiance in cd/m^2, not multiplied by the exposure; a: share of the sky behind that shows.
+struct ProbeClouds {
+  TextureId map;
+  std::uint64_t version = 0;  ///< another number whenever the map shows something else
+};
+
+struct ProbeSettings {
+  int size = 64;     ///< texels per side of each half of level 0; a multiple of 16
+  int samples = 48;  ///< directions from which a texel of the glossy level gathers its light
+  int cells = 32;    ///< per side of each half: what rough levels are sums over; a multiple of 8
+  int slices = 8;    ///< frames over which a refresh is spread, 1 or more
+
+  /// 0 low to 3 ultra.
+  static ProbeSettings of_quality(int quality);
+};
+
+/// The reflection probe: sky, clouds and a mean sea as a surface at the camera mirrors them, for
+/// six roughnesses, and as it is lit by them (spherical harmonics).
+///
+/// While anything that it shows moves, one slice of the next generation is made in each frame;
+/// when that is whole, what is shown moves over to it at an even pace during as many frames again.
+/// Where nothing moves nothing is done. The first frame, and one after a leap in time or place,
+/// makes it whole at once.
+class Probe {
+ public:
+  Probe(ShaderLibrary& shaders, const ProbeSettings& settings);
+
+  /// Adds sky.probe. The frame's FrameData must be bound when the graph runs, and say the same of
+  /// the light as `light`. `wind_speed` in m/s roughens the mean sea.
+  ProbeIds add(FrameGraph& graph, const SkyLight& light, double wind_speed, const Sky& sky,
+               const SkyIds& sky_ids, const std::optional<ProbeClouds>& clouds = {});
+
+  /// Binds the map and the block for probe.glsl, within a pass that has declared ids.read_by().
+  void bind(const PassContext& context, const ProbeIds& ids) const;
+
+  const ProbeSettings& settings() const { return settings_; }
+  /// Share of a whole refresh's work in each slice, estimated; the sum is 1.
+  std::vector<double> slice_shares() const;
+  const gl::Texture& map() const { return shown_; }
+
+ private:
+  enum class Kind : std::uint8_t { kCapture, kGlossy, kCells, kRough, kIrradiance };
+  /// One dispatch: some rows of one level of the map.
+  struct Work {
+    Kind kind;
+    int level, first_row, rows;
+    double cost;
+    int slice;
+  };
+  /// What the probe depends on, coarse enough that a change of one step cannot be seen.
+  struct State {
+    glm::dvec3 sun, moon;
+    double height, haze;
+    bool clouds;
+  };
+  struct Generation {
+    gl::Texture map;
+    gl::Buffer irradiance;
+  };
+  struct Frame;
+
+  std::size_t cell_count() const {
+    return 2 * static_cast<std::size_t>(settings_.cells) *
+           static_cast<std::size_t>(settings_.cells);
+  }
+  void plan_work();
+  void run(const Frame& frame, const PassContext& context);
+  void run_slice(const Frame& frame, int slice, const Generation& into);
+  void dispatch(const Work& work) const;
+  void blend(float share);
+
+  ProbeSettings settings_;
+  const ShaderProgram& capture_;
+  const ShaderProgram& glossy_;
+  const ShaderProgram& cells_;
+  const ShaderProgram& rough_;
+  const ShaderProgram& irradiance_;
+  const ShaderProgram& blend_;
+  std::vector<Work> work_;
+  std::vector<glm::ivec4> levels_;  ///< first texel, texels per side
+  gl::Texture shown_;
+  gl::Buffer block_, cell_list_;
+  Generation generations_[2];
+  gl::Sampler linear_;
+
+  // Where the refresh stands; moved on only where the pass runs.
+  int building_ = 0;       ///< which generation; the other one is whole
+  int next_slice_ = 0;     ///< settings_.slices: none is being made
+  int blend_left_ = 0;     ///< frames until what is shown equals the whole generation
+  bool complete_ = false;  ///< there is a whole generation
+  std::uint64_t key_ = 0;  ///< of the generation that was begun last
+  State seen_{};           ///< when the pass last ran
+};
+
+}  // namespace offing

@@ -1,0 +1,120 @@
+// Where there is cloud, and how dense. Of the C++ side Clouds::bind() and CloudIds::read_by().
+#include "lib/clouds.glsl"
+#include "shared/bindings.h"
+#include "shared/clouds.h"
+
+layout(binding = OFFING_UNIT_CLOUD_SHAPE) uniform sampler3D cloud_shape_noise;
+layout(binding = OFFING_UNIT_CLOUD_DETAIL) uniform sampler3D cloud_detail_noise;
+layout(binding = OFFING_UNIT_CLOUD_CURL) uniform sampler2D cloud_curl_noise;
+layout(binding = OFFING_UNIT_CLOUD_WEATHER) uniform sampler2D cloud_weather;
+layout(binding = OFFING_UNIT_CLOUD_MOST) uniform sampler2D cloud_most;
+
+const float kCloudShapeTexels = 128.0;
+const float kCloudDetailTexels = 32.0;
+
+// Height over the sea of a place relative to the camera, over the curved earth.
+float cloud_altitude(vec3 p) {
+  return clouds.eye.x + p.y + dot(p.xz, p.xz) * clouds.eye.y;
+}
+
+// Where a place was before the wind drew the tops along.
+vec2 cloud_unsheared(vec3 p, float altitude) {
+  return p.xz - clouds.wind.xy * (clouds.wind.z * (altitude - clouds.layer.w));
+}
+
+vec2 cloud_weather_at(vec2 plan) { return clouds.weather.xy + plan * clouds.weather.z; }
+
+CloudColumn cloud_column_from(vec4 weather, vec2 plan) {
+  CloudColumn column;
+  vec2 inside = vec2(clouds.box.z) - abs(plan - clouds.box.xy);
+  float fade = clamp(1.0 - min(inside.x, inside.y) * clouds.box.w, 0.0, 2.0);
+  column.excess = weather.r - clouds.weather.w - fade;
+  column.type = weather.g;
+  column.rain = weather.a;
+  column.base = mix(clouds.layer.x, 2.0 * clouds.layer.w - clouds.layer.x, weather.b);
+  return column;
+}
+
+CloudColumn cloud_column(vec2 plan) {
+  return cloud_column_from(textureLod(cloud_weather, cloud_weather_at(plan), 0.0), plan);
+}
+
+// A place in its column: all that needs no noise.
+struct CloudPlace {
+  CloudKind kind;
+  float x;        // height within the cloud, 0 … 1
+  float inside;   // > 0 inside an edge without noise, in units of the kind's `full`
+  float freedom;  // how far the body's noise moves that edge
+  vec2 plan;
+};
+
+CloudPlace cloud_place(vec3 p) {
+  CloudPlace place;
+  float altitude = cloud_altitude(p);
+  place.plan = cloud_unsheared(p, altitude);
+  CloudColumn column = cloud_column(place.plan);
+  place.kind = cloud_kind(column.type, column.rain);
+  place.x = (altitude - column.base) / (place.kind.thickness * clouds.form.w);
+  float storm = column.rain * column.rain * column.type;
+  place.inside = cloud_strength(place.kind, column.excess) - clouds.form.x -
+                 cloud_outline(place.kind, storm, place.x);
+  place.freedom = place.kind.roughness * clouds.form.y * cloud_freedom(place.x);
+  return place;
+}
+
+// The most that noise can add: where this is not positive there is no cloud.
+float cloud_most_inside(CloudPlace place) { return place.inside + 0.5 * place.freedom; }
+
+vec3 cloud_shape_at(CloudPlace place, vec3 p) {
+  return clouds.shape.xyz + vec3(place.plan.x, p.y, place.plan.y) * clouds.shape.w;
+}
+
+// `inside` with the body's noise; footprint in m: what is finer is smoothed away.
+float cloud_body(CloudPlace place, vec3 p, float footprint) {
+  float lod = log2(max(footprint * clouds.shape.w * kCloudShapeTexels, 1.0));
+  float noise = textureLod(cloud_shape_noise, cloud_shape_at(place, p), lod).r;
+  return place.inside + place.freedom * (noise - 0.5);
+}
+
+// What the edges' noise takes away from `inside`: nothing in the middle of a cell of noise.
+const float kCloudErosion = 0.16;
+float cloud_erosion(CloudPlace place, vec3 p, float footprint) {
+  vec2 curl = textureLod(cloud_curl_noise, clouds.curl.xy + place.plan * clouds.curl.z, 0.0).xy;
+  vec2 plan = place.plan + curl * (clouds.curl.w * (1.0 - clamp(4.0 * place.x, 0.0, 0.8)));
+  float lod = log2(max(footprint * clouds.detail.w * kCloudDetailTexels, 1.0));
+  float noise = textureLod(cloud_detail_noise,
+                           clouds.detail.xyz + vec3(plan.x, p.y, plan.y) * clouds.detail.w, lod).r;
+  return kCloudErosion * clouds.form.z * cloud_edge(noise, place.x);
+}
+
+float cloud_extinction_from(CloudPlace place, float inside) {
+  return clouds.layer.z * place.kind.extinction * cloud_density_from(inside, place.x);
+}
+
+// Share of full density without the edges' noise, 0 … 1.
+float cloud_density_cheap(vec3 p) {
+  CloudPlace place = cloud_place(p);
+  return cloud_density_from(cloud_body(place, p, 0.0), place.x);
+}
+
+// Extinction (1/m) at a place relative to the camera, with all its detail down to `footprint` (m).
+float cloud_extinction(vec3 p, float footprint) {
+  CloudPlace place = cloud_place(p);
+  if (cloud_most_inside(place) <= 0.0) return 0.0;
+  float inside = cloud_body(place, p, footprint);
+  return cloud_extinction_from(place, inside - cloud_erosion(place, p, footprint));
+}
+
+// The part of a ray from `origin` (relative to the camera) that may hold low clouds.
+CloudSpan cloud_span(vec3 origin, vec3 direction) {
+  // Over the round earth "up" leans with the distance from the camera.
+  vec3 up = normalize(vec3(2.0 * origin.x * clouds.eye.y, 1.0, 2.0 * origin.z * clouds.eye.y));
+  CloudSpan span = cloud_shell(cloud_altitude(origin), dot(direction, up), clouds.eye.y,
+                               clouds.layer.x, clouds.layer.y);
+  vec3 low = vec3(clouds.box.x - clouds.box.z, -1.0e7, clouds.box.y - clouds.box.z);
+  vec3 high = vec3(clouds.box.x + clouds.box.z, 1.0e7, clouds.box.y + clouds.box.z);
+  CloudSpan box = cloud_box(origin, direction, low, high);
+  span.near = max(span.near, box.near);
+  span.far = min(span.far, box.far);
+  return span;
+}

@@ -1,0 +1,45 @@
+// The clouds of the whole picture from the few pixels that were marched now and all that were before:
+// reprojected by the camera's way and the wind, and held to what the neighbourhood shows now.
+#include "shared/frame.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 0) uniform sampler2D seen;
+layout(binding = 1) uniform sampler2D distance_seen;
+layout(binding = 2) uniform sampler2D least;
+layout(binding = 3) uniform sampler2D most;
+layout(binding = 4) uniform sampler2D history;  // linear
+layout(binding = 5) uniform sampler2D seen_linear;
+layout(rgba16f, binding = 0) uniform writeonly image2D result;
+layout(location = 0) uniform ivec2 cell;
+layout(location = 1) uniform ivec2 chosen;
+layout(location = 2) uniform vec3 moved;  // add to a place to have it as it lay before the last frame
+layout(location = 3) uniform mat4 clip_before;
+layout(location = 7) uniform float fresh;  // weight of a new value
+
+void main() {
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 size = imageSize(result);
+  if (any(greaterThanEqual(pixel, size))) return;
+  ivec2 cells = textureSize(seen, 0);
+  ivec2 texel = min(pixel / cell, cells - 1);
+  vec2 at = vec2(pixel) + 0.5;
+  vec4 near = frame.relative_from_clip * vec4(2.0 * at * frame.viewport.zw - 1.0, 1.0, 1.0);
+  vec3 direction = normalize(near.xyz / near.w);
+  vec3 before = direction * texelFetch(distance_seen, texel, 0).r + moved;
+  vec4 clip = clip_before * vec4(before, 1.0);
+  vec2 at_before = (0.5 + 0.5 * clip.xy / max(clip.w, 1.0e-6)) * vec2(size);
+  bool known = clip.w > 0.0 && all(greaterThan(at_before, vec2(0.0))) && all(lessThan(at_before, vec2(size)));
+  // Less than half a pixel is no reason to blur: the pixel's own turn comes soon.
+  vec2 way = at_before - at;
+  at_before = dot(way, way) < 0.2 ? at : at_before;
+  vec4 old = textureLod(history, at_before * frame.viewport.zw, 0.0);
+  // Where this round's samples lie, between texels.
+  vec4 around = textureLod(seen_linear, (at - vec2(chosen) - 0.5 + 0.5 * vec2(cell)) / vec2(cell * cells), 0.0);
+  vec4 low = texelFetch(least, texel, 0), high = texelFetch(most, texel, 0);
+  vec4 slack = 0.35 * (high - low);
+  old = clamp(old, low - slack, high + slack);
+  vec4 value = known ? old : around;
+  bool own = all(equal(pixel - texel * cell, chosen));
+  value = own ? mix(value, texelFetch(seen, texel, 0), known ? fresh : 1.0) : value;
+  imageStore(result, pixel, value);
+}

@@ -1,0 +1,148 @@
+// The form of clouds: which height a kind of cloud fills, and where its edge is. Compiled as GLSL and as
+// double-precision C++. Heights in metres; x is the height within a cloud, 0 at its base, 1 at the top
+// that the strongest of its kind reach.
+
+// What the weather says of a column of air.
+struct CloudColumn {
+  float excess;  // coverage over the threshold: > 0 inside a cloud's plan, some ±1 at most
+  float type;    // 0 stratus, 0.5 stratocumulus, 1 cumulus
+  float base;    // m over the sea
+  float rain;    // 0 … 1
+};
+
+// What kind of cloud stands there.
+struct CloudKind {
+  float thickness;   // m
+  float full;        // excess that makes it as tall as that
+  float roughness;   // how far the body's noise moves its edge, in units of `full`
+  float bottom;      // height x over which the base closes
+  float round_from;  // height x from which on it narrows
+  float round_power;
+  float extinction;  // over that of a dense cumulus (stratus .04–.06 /m, cumulus .05–.12 /m measured)
+};
+
+float cloud_blend(float a, float b, float c, float type) {
+  return type < 0.5 ? mix(a, b, 2.0 * type) : mix(b, c, 2.0 * type - 1.0);
+}
+
+const float kStormThickness = 8000.0;
+
+CloudKind cloud_kind(float type, float rain) {
+  CloudKind kind;
+  float storm = rain * rain * type;
+  kind.thickness = mix(cloud_blend(260.0, 520.0, 1500.0, type), kStormThickness, storm);
+  kind.full = mix(cloud_blend(0.12, 0.20, 0.34, type), 0.30, storm);
+  kind.roughness = mix(cloud_blend(0.45, 0.80, 0.95, type), 0.55, storm);
+  kind.bottom = mix(cloud_blend(0.25, 0.16, 0.05, type), 0.012, storm);
+  kind.round_from = cloud_blend(0.55, 0.30, 0.04, type);
+  kind.round_power = cloud_blend(2.5, 1.7, 1.15, type);
+  kind.extinction = cloud_blend(0.6, 0.75, 1.0, type) * (1.0 + 0.4 * rain);
+  return kind;
+}
+
+// How much excess (in units of `full`) it takes to be inside at height x: 0 where the cloud is widest,
+// 1 at its top. High above, a storm spreads out again into its anvil.
+float cloud_outline(CloudKind kind, float storm, float x) {
+  float below = max(1.0 - x / kind.bottom, 0.0);
+  float up = max((x - kind.round_from) / (1.0 - kind.round_from), 0.0);
+  float narrowing = pow(up, kind.round_power);
+  narrowing *= 1.0 - 0.85 * storm * smoothstep(0.62, 0.80, x);
+  float lid = max((x - 0.9) / 0.1, 0.0);
+  return below * below + narrowing + 0.5 * lid * lid;
+}
+
+// Excess in units of `full`, bounded: a deep cell grows no taller than its kind.
+float cloud_strength(CloudKind kind, float excess) {
+  float e = excess / kind.full;
+  return e > 0.0 ? e * inversesqrt(1.0 + e * e / 1.44) : e;
+}
+
+// How much of the noise counts at height x: bases are flat.
+float cloud_freedom(float x) { return mix(0.30, 1.0, smoothstep(0.0, 0.22, x)); }
+
+// Wispy below, where edges are drawn out, and billowy above (Schneider 2015). `noise` 0 … 1 is bright
+// within cells.
+float cloud_edge(float noise, float x) { return mix(noise, 1.0 - noise, smoothstep(0.02, 0.22, x)); }
+
+// From the signed distance to the edge (in units of `full`) to the share of full density.
+const float kCloudEdgeWidth = 0.13;
+float cloud_density_from(float inside, float x) {
+  return clamp(inside / kCloudEdgeWidth, 0.0, 1.0) * mix(0.55, 1.0, smoothstep(0.0, 0.35, x));
+}
+
+// ---- The weather -----------------------------------------------------------------------------------
+
+// The normal distribution function, to 1.5e-4 (a logistic curve with a cubic argument). Sums of evenly
+// distributed patterns come near to a normal distribution; this makes them even again.
+float normal_share(float z) { return 1.0 / (1.0 + exp(-z * (1.5976 + 0.07056 * z * z))); }
+
+// Coverage 0 … 1, evenly distributed, from three evenly distributed patterns: cells, finer cells and
+// fronts. Two states are blended by the global cover: scattered clouds by their cells, an overcast sky
+// by its fronts.
+float weather_coverage(float cells, float finer, float fronts, float cover) {
+  vec3 weights = mix(vec3(0.80, 0.30, 0.34), vec3(0.45, 0.28, 0.80), cover);
+  float sum = dot(weights, vec3(cells, finer, fronts) - vec3(0.5));
+  return normal_share(sum / sqrt(dot(weights, weights) / 12.0));
+}
+
+// Rain falls from where the fronts stand thickest.
+float weather_rain(float coverage, float fronts, float precipitation) {
+  float strength = 0.6 * coverage + 0.4 * fronts;
+  float from = 1.0 - 0.9 * precipitation;
+  return precipitation * smoothstep(from, from + 0.35, strength + 0.1 * precipitation);
+}
+
+// ---- Container: a shell round the earth, or a box ------------------------------------------------
+
+struct CloudSpan {
+  float near;
+  float far;  // not after `near` where there is nothing
+};
+
+// The part of a ray with heights between `low` and `high`, from an eye at `height`, in front of the sea
+// and of the far side of the shell. Within some hundred kilometres a sphere is a paraboloid:
+// height(t) = height + y t + (1 - y²) t² `curvature` with curvature = 1 / diameter. A flat ray beneath
+// an exactly level layer is no special case, since the earth is round.
+CloudSpan cloud_shell(float height, float y, float curvature, float low, float high) {
+  float a = max((1.0 - y * y) * curvature, 1.0e-12);
+  // a t² + y t + height - level = 0, by the form that does not cancel.
+  float to_low = y * y - 4.0 * a * (height - low);
+  float to_high = y * y - 4.0 * a * (height - high);
+  float to_sea = y * y - 4.0 * a * height;
+  CloudSpan span;
+  span.near = 0.0;
+  span.far = 0.0;
+  float up_root = sqrt(max(to_high, 0.0));
+  float leave = y > 0.0 ? 2.0 * (high - height) / (y + up_root) : (up_root - y) / (2.0 * a);
+  if (height < low) {
+    // From below: in through the lower face; not where the sea comes first.
+    float root = sqrt(max(to_low, 0.0));
+    span.near = y > 0.0 ? 2.0 * (low - height) / (y + root) : (root - y) / (2.0 * a);
+    span.far = y < 0.0 && to_sea >= 0.0 && height >= 0.0 ? span.near : leave;
+  } else {
+    if (height > high) {
+      if (y >= 0.0 || to_high < 0.0) return span;
+      span.near = 2.0 * (height - high) / (up_root - y);
+    }
+    span.far = leave;
+    // Down through the lower face, where the ray reaches it.
+    if (y < 0.0 && to_low >= 0.0) span.far = 2.0 * (height - low) / (sqrt(to_low) - y);
+  }
+  return span;
+}
+
+// The part of a ray within a box (Kay & Kajiya 1986). A direction along an axis is no special case: its
+// zero components are replaced by tiny ones of the same sign.
+CloudSpan cloud_box(vec3 origin, vec3 direction, vec3 low, vec3 high) {
+  vec3 d = vec3(abs(direction.x) < 1.0e-7 ? (direction.x < 0.0 ? -1.0e-7 : 1.0e-7) : direction.x,
+                abs(direction.y) < 1.0e-7 ? (direction.y < 0.0 ? -1.0e-7 : 1.0e-7) : direction.y,
+                abs(direction.z) < 1.0e-7 ? (direction.z < 0.0 ? -1.0e-7 : 1.0e-7) : direction.z);
+  vec3 a = (low - origin) / d;
+  vec3 b = (high - origin) / d;
+  vec3 first = min(a, b);
+  vec3 last = max(a, b);
+  CloudSpan span;
+  span.near = max(max(max(first.x, first.y), first.z), 0.0);
+  span.far = min(min(last.x, last.y), last.z);
+  return span;
+}

@@ -1,0 +1,179 @@
+#include "engine/sky/probe.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "engine/core/angles.h"
+#include "engine/environment/calendar.h"
+#include "engine/graph/gl_device.h"
+#include "engine/sky/probe_reference.h"
+#include "shaders/shared/bindings.h"
+#include "support/gl_test.h"
+
+namespace offing {
+namespace {
+
+CelestialState sun_at(double azimuth, double elevation) {
+  CelestialState s;
+  s.sun.azimuth_deg = azimuth;
+  s.sun.elevation_deg = s.sun.elevation_airless_deg = elevation;
+  s.moon.elevation_deg = s.moon.elevation_airless_deg = -50.0;
+  return s;
+}
+
+class ProbeTest : public test::GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    if (IsSkipped()) return;
+    shaders_ = std::make_unique<ShaderLibrary>(data_root() / "shaders");
+    device_ = std::make_unique<GlDevice>();
+    graph_ = std::make_unique<FrameGraph>(*device_);
+    sky_ = std::make_unique<Sky>(*shaders_, 0);
+    probe_ = std::make_unique<Probe>(*shaders_, ProbeSettings::of_quality(0));
+    reference_ = std::make_unique<ProbeReference>(*shaders_);
+    frame_ = gl::Buffer("frame", sizeof(shared::FrameData));
+  }
+
+  /// One frame; the answers to the queries, where there are any.
+  std::vector<ProbeAnswer> frame(const CelestialState& celestial,
+                                 std::vector<ProbeQuery> queries = {}, int samples = 1) {
+    light_ = model_.update(celestial, 0.1, 3.0);
+    shared::FrameData data{};
+    light_.fill(data);
+    data.camera = {0.0f, 3.0f, 0.0f, 1e-3f};
+    data.wind = {-6.0f, 0.0f, 5.0f, 8.0f};
+    frame_.write(data);
+    frame_.bind_uniform(OFFING_BIND_FRAME);
+    graph_->begin_frame();
+    const SkyIds sky = sky_->add_tables(*graph_, light_);
+    const ProbeIds ids = probe_->add(*graph_, light_, 8.0, *sky_, sky);
+    std::vector<ProbeAnswer> answers;
+    graph_->add(
+        "ask",
+        [&](PassBuilder& pass) {
+          sky.read_by(pass);
+          ids.read_by(pass);
+          pass.side_effect();
+        },
+        [&](const PassContext& context) {
+          if (!queries.empty()) {
+            answers = reference_->ask(context, *sky_, sky, *probe_, ids, queries, samples);
+          }
+        });
+    graph_->execute();
+    return answers;
+  }
+
+  PassReport row() const {
+    for (const PassReport& r : graph_->report()) {
+      if (r.name == "sky.probe") return r;
+    }
+    throw std::runtime_error("no probe");
+  }
+
+  static double luminance(const glm::vec3& c) {
+    return glm::dot(glm::dvec3(c), glm::dvec3(0.2126, 0.7152, 0.0722));
+  }
+
+  std::unique_ptr<ShaderLibrary> shaders_;
+  std::unique_ptr<GlDevice> device_;
+  std::unique_ptr<FrameGraph> graph_;
+  std::unique_ptr<Sky> sky_;
+  std::unique_ptr<Probe> probe_;
+  std::unique_ptr<ProbeReference> reference_;
+  gl::Buffer frame_;
+  SkyLightModel model_;
+  SkyLight light_;
+};
+
+TEST_F(ProbeTest, RoughMirrorsAgreeWithBruteForce) {
+  // The first frame is whole. Roughness 0.2 is the one level that is sampled.
+  const std::map<float, double> bounds = {{0.0f, 0.02}, {0.2f, 0.04}, {0.4f, 0.02},
+                                          {0.6f, 0.02}, {0.8f, 0.02}, {1.0f, 0.02}};
+  for (const auto& [roughness, bound] : bounds) {
+    const auto answers =
+        frame(sun_at(240.0, 50.0), queries_all_round(96, roughness), roughness == 0.0f ? 1 : 4096);
+    EXPECT_LT(relative_rms(answers), bound) << roughness;
+  }
+}
+
+TEST_F(ProbeTest, IrradianceIsThatOfTheSky) {
+  for (const double elevation : {50.0, 6.0, -4.0}) {
+    const auto answers = frame(sun_at(240.0, elevation), queries_all_round(96, -1.0f), 2048);
+    // Harmonics of order 2 leave out what changes faster (Ramamoorthi & Hanrahan 2001): 1 % where
+    // light comes from all over the sky, some more about a low sun.
+    EXPECT_LT(relative_rms(answers), elevation > 30.0 ? 0.015 : 0.045) << elevation;
+    // Upward it is what the CPU's light model says, which is worked out elsewhere.
+    const ProbeAnswer up = frame(sun_at(240.0, elevation), {{{0, 1, 0}, -1.0f}}, 4096)[0];
+    const double model = luminance(glm::vec3(light_.sky_illuminance));
+    EXPECT_NEAR(luminance(up.reference) / model, 1.0, 0.05) << elevation;
+    EXPECT_NEAR(luminance(up.probe) / model, 1.0, 0.08) << elevation;
+  }
+}
+
+TEST_F(ProbeTest, HoldsNoonAndNight) {
+  CelestialState night = sun_at(240.0, -60.0);
+  for (const CelestialState& state : {sun_at(180.0, 70.0), night}) {
+    const auto answers = frame(state, queries_all_round(64, 0.4f), 1024);
+    EXPECT_LT(relative_rms(answers), 0.03);
+    for (const ProbeAnswer& answer : answers) EXPECT_GT(luminance(answer.probe), 0.0);
+  }
+}
+
+TEST_F(ProbeTest, StandsStillWithTheClock) {
+  const CelestialState s = sun_at(200.0, 25.0);
+  for (int i = 0; i < 6; ++i) frame(s);
+  EXPECT_EQ(row().ran, 1);
+  EXPECT_EQ(row().cached, 5);
+  // Time goes on for one frame and stops: the refresh is finished and brought in, then nothing.
+  const CelestialState later = sun_at(200.1, 25.0);
+  for (int i = 0; i < 40; ++i) frame(later);
+  EXPECT_EQ(row().ran, 1 + 2 * probe_->settings().slices);
+  EXPECT_EQ(row().cached, 5 + 40 - 2 * probe_->settings().slices);
+}
+
+TEST_F(ProbeTest, SlicesAreEven) {
+  double sum = 0.0;
+  for (const double share : probe_->slice_shares()) {
+    EXPECT_LE(share, 1.0 / 6.0);
+    sum += share;
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-9);
+}
+
+TEST_F(ProbeTest, NeitherFlickersNorJumpsAsTheSunSets) {
+  // A quarter of a degree a frame, as a day in 1440 frames has it, from 4 degrees up to 4 down.
+  // What counts is how much the change changes: a flicker or a jump is a frame unlike its
+  // neighbours.
+  const std::vector<ProbeQuery> queries = {{{0, 1, 0}, -1.0f},
+                                           {glm::normalize(glm::vec3(-1, 0.3, 0.2)), 0.4f},
+                                           {glm::normalize(glm::vec3(1, 0.1, 0.2)), 0.2f},
+                                           {glm::normalize(glm::vec3(0, -0.5, -1)), 0.6f}};
+  std::vector<std::vector<double>> logs(queries.size());
+  for (int i = 0; i < 34; ++i) {
+    const auto answers = frame(sun_at(280.0 + 0.2 * i, 4.0 - 0.25 * i), queries);
+    for (std::size_t q = 0; q < queries.size(); ++q) {
+      logs[q].push_back(std::log(luminance(answers[q].probe)));
+    }
+  }
+  for (std::size_t q = 0; q < queries.size(); ++q) {
+    for (std::size_t i = 1; i + 1 < logs[q].size(); ++i) {
+      const double bend = logs[q][i + 1] - 2.0 * logs[q][i] + logs[q][i - 1];
+      // The pace changes a little where one generation follows another; one that was shown at once
+      // would bend by the change of eight frames, 0.2 and more.
+      EXPECT_LT(std::abs(bend), 0.05) << "query " << q << " frame " << i;
+    }
+  }
+}
+
+TEST_F(ProbeTest, ALeapInTimeIsShownAtOnce) {
+  frame(sun_at(200.0, 50.0));
+  const auto answers = frame(sun_at(280.0, 5.0), queries_all_round(64, 0.6f), 1024);
+  EXPECT_LT(relative_rms(answers), 0.05);
+  EXPECT_EQ(row().ran, 2);
+}
+
+}  // namespace
+}  // namespace offing
