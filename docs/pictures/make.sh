@@ -17,3 +17,8 @@ shot moonlight moonlight 15
 shot helm default 15 --set camera.mode=helm
 shot underwater default 3 --set camera.mode=free --set camera.position=6.5,-1.7,4.2 \
   --set camera.target=0,0.9,0
+# The boat from her deck and from astern, in three sea states.
+for wind in 4 9 15; do
+  shot "boat_deck_$wind" default 45 --set camera.mode=helm --set environment.wind.speed="$wind"
+  shot "boat_astern_$wind" default 45 --set camera.mode=chase --set environment.wind.speed="$wind"
+done

@@ -71,6 +71,8 @@ BoatState interpolate(const BoatState& a, const BoatState& b, double t) {
   s.jib_fill = mix(a.jib_fill, b.jib_fill);
   s.main_luff = mix(a.main_luff, b.main_luff);
   s.jib_luff = mix(a.jib_luff, b.jib_luff);
+  s.main_stall = mix(a.main_stall, b.main_stall);
+  s.jib_stall = mix(a.jib_stall, b.jib_stall);
   s.apparent_wind = mix(a.apparent_wind, b.apparent_wind);
   return s;
 }
@@ -396,6 +398,8 @@ void Boat::add_air(Loads& loads, const WindField& wind, double dt) {
   state_.boom_rate = boom_.rate;
   state_.main_fill = rig_reading_.main.fill;
   state_.jib_fill = rig_reading_.jib.fill;
+  state_.main_stall = rig_reading_.main.stall;
+  state_.jib_stall = rig_reading_.jib.stall;
   state_.main_luff = rig_reading_.main.luff;
   state_.jib_luff = rig_reading_.jib.luff;
   state_.apparent_wind = main_wind;

@@ -47,6 +47,7 @@ struct BoatState {
   double flat = 1.0, reef = 1.0;                 ///< fullness and linear size of the sails
   double crew_offset = 0.0;                      ///< m to starboard
   double main_fill = 0.0, jib_fill = 0.0;        ///< -1 to 1: press of wind, + bellies to starboard
+  double main_stall = 0.0, jib_stall = 0.0;      ///< 0 attached to 1 stalled
   double main_luff = 0.0, jib_luff = 0.0;        ///< 0 full to 1 shaking
   double deck_water = 0.0, cockpit_water = 0.0;  ///< m^3 shipped and not yet run off
   glm::dvec3 apparent_wind{0.0};  ///< m/s, boat axes, at the main: how the air moves past her

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/boat/hydrostatics.h"
 #include "engine/core/angles.h"
 
 namespace offing {
@@ -57,6 +58,25 @@ SteadySailing sail_steadily(const R8Parameters& parameters, double tws, double t
     last_speed = sailed;
   }
   return mean;
+}
+
+double righting_arm(const R8Parameters& p, double heel) {
+  const HullShape hull = keelboat(p.lines);
+  const double volume = p.mass / kWaterDensity;
+  double low = -5.0, high = 5.0, arm = 0.0;  // height of the water over the origin
+  for (int i = 0; i < 60; ++i) {
+    const double height = 0.5 * (low + high);
+    const Immersion m = immerse_heeled(hull, heel, height);
+    const double wet =
+        std::clamp(0.5 + (height - p.keel_place.y * std::cos(heel)) / p.keel_span, 0.0, 1.0);
+    const double keel = wet * p.keel_volume;
+    (m.volume + keel < volume ? low : high) = height;
+    const double x = m.volume * m.centroid.x;
+    const double y = m.volume * m.centroid.y + keel * p.keel_place.y;
+    arm = (x * std::cos(heel) + y * std::sin(heel)) / (m.volume + keel) -
+          p.centre_of_gravity.y * std::sin(heel);
+  }
+  return arm;
 }
 
 }  // namespace offing

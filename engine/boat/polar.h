@@ -22,4 +22,8 @@ struct SteadySailing {
 SteadySailing sail_steadily(const R8Parameters& parameters, double tws, double twa,
                             double seconds = 120.0, double dt = 1.0 / 120.0);
 
+/// Lever (m) of the moment that rights her at a heel (rad) in still water, crew amidships: hull and
+/// keel at the depth where they carry her weight, trim kept level.
+double righting_arm(const R8Parameters& parameters, double heel);
+
 }  // namespace offing

@@ -9,6 +9,7 @@
 
 #include "engine/boat/boat.h"
 #include "engine/boat/floating_body.h"
+#include "engine/boat/polar.h"
 #include "engine/core/angles.h"
 #include "engine/core/random.h"
 #include "engine/io/file.h"
@@ -112,6 +113,44 @@ double barrels(int count, const WaterSurface& water, double time) {
   });
 }
 
+/// The steady boat beside what two independent velocity predictions of R8 say, knots.
+Plot polar_plot(const R8Parameters& parameters) {
+  Plot plot{.title = "Steady speed with automatic trim; marks: two independent predictions",
+            .x_title = "true wind angle, degrees",
+            .y_title = "knots"};
+  const struct {
+    double tws, speed[5];
+  } kReference[] = {{6, {4.1, 4.8, 5.0, 4.0, 2.9}},
+                    {12, {5.9, 6.4, 6.7, 6.1, 5.3}},
+                    {20, {6.3, 6.9, 8.2, 7.6, 7.0}}};
+  const double kAngles[] = {45, 60, 90, 120, 150};
+  for (const auto& row : kReference) {
+    PlotCurve curve{fmt::format("{} kn", row.tws), {}}, marks{"", {}};
+    marks.joined = false;
+    for (double twa = 30.0; twa <= 170.0; twa += 10.0) {
+      const SteadySailing s =
+          sail_steadily(parameters, metres_per_second(row.tws), radians(twa), 120.0, 1.0 / 60.0);
+      curve.points.push_back({twa, knots(s.speed)});
+    }
+    for (int i = 0; i < 5; ++i) marks.points.push_back({kAngles[i], row.speed[i]});
+    plot.curves.push_back(curve);
+    plot.curves.push_back(marks);
+  }
+  return plot;
+}
+
+Plot righting_plot(const R8Parameters& parameters) {
+  Plot plot{.title = "Righting arm, crew amidships",
+            .x_title = "heel, degrees",
+            .y_title = "m",
+            .curves = {{"GZ", {}}}};
+  for (int heel = 0; heel <= 180; heel += 5) {
+    plot.curves[0].points.push_back(
+        {static_cast<double>(heel), righting_arm(parameters, radians(heel))});
+  }
+  return plot;
+}
+
 }  // namespace
 
 // How far the step's length takes the boat from where a sixteen times finer one would have, and
@@ -188,7 +227,9 @@ void bench_boat(const Options& options) {
                       .y_title = "microseconds",
                       .log_x = true,
                       .log_y = true,
-                      .curves = {readback, flat}}}));
+                      .curves = {readback, flat}},
+                     polar_plot(parameters),
+                     righting_plot(parameters)}));
 }
 
 }  // namespace offing

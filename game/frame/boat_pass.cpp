@@ -10,16 +10,11 @@
 #include <unordered_map>
 
 #include "engine/core/error.h"
+#include "game/frame/ropes.h"
 #include "shaders/shared/bindings.h"
 
 namespace offing {
 namespace {
-
-struct RigidVertex {
-  glm::vec3 position, normal;
-  glm::vec2 uv;
-  float material;
-};
 
 struct ClothVertex {
   glm::vec3 position;
@@ -32,6 +27,9 @@ constexpr float kLampLuminance = 900.0f;
 // All of her: masthead, bulb and boom end, boat frame.
 constexpr glm::vec3 kMiddle{0.0f, 4.9f, 0.0f};
 constexpr float kRadius = 7.8f;
+constexpr std::size_t kMostLineVertices = 2048;
+// How far the wheel turns for the rudder's angle.
+constexpr float kWheelGear = 6.0f;
 
 const glm::vec3 kUp{0.0f, 1.0f, 0.0f};
 // The node that stands for the boat herself.
@@ -87,6 +85,24 @@ int need(const Model& model, std::string_view name) {
 
 }  // namespace
 
+shared::BoatMaterial surface_of(const ModelMaterial& from) {
+  // A lobe narrower than this is only noise without supersampling.
+  const float alpha = std::max(from.roughness * from.roughness, 0.02f);
+  return {
+      .base_colour = {from.base_colour.x, from.base_colour.y, from.base_colour.z, from.metallic},
+      .emission = {from.emissive.x, from.emissive.y, from.emissive.z, alpha}};
+}
+
+void set_rigid_layout(gl::VertexArray& layout, const gl::Buffer& vertices,
+                      const gl::Buffer& indices) {
+  constexpr int kStride = sizeof(RigidVertex);
+  layout.attribute(0, 3, vertices.id(), kStride, offsetof(RigidVertex, position));
+  layout.attribute(1, 3, vertices.id(), kStride, offsetof(RigidVertex, normal));
+  layout.attribute(2, 2, vertices.id(), kStride, offsetof(RigidVertex, uv));
+  layout.attribute(3, 1, vertices.id(), kStride, offsetof(RigidVertex, material));
+  layout.index_buffer(indices.id());
+}
+
 bool sphere_in_view(const glm::mat4& clip_from_relative, const glm::vec3& centre, float radius) {
   // Gribb & Hartmann 2001: the planes are sums of the projection's rows. Reversed depth without a
   // far plane: only the four sides and the near plane (z <= w) bound it.
@@ -122,16 +138,16 @@ BoatPass::BoatPass(ShaderLibrary& shaders, const Model& model, const BoatTexture
   for (const ModelNode& node : model.nodes) nodes_.push_back({node.parent, node.parent_from_node});
   boom_ = need(model, "boom");
   rudder_ = need(model, "rudder");
+  wheel_ = model.find("wheel");
   cloth_[kMainsail].node = need(model, "mainsail");
   cloth_[kJib].node = need(model, "jib");
   cloth_[kFlag].node = need(model, "flag");
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
-    const ModelMaterial& from = model.materials[i];
-    materials_[i].base_colour = {from.base_colour.x, from.base_colour.y, from.base_colour.z,
-                                 from.metallic};
-    // A lobe narrower than this is only noise without supersampling.
-    materials_[i].emission = {from.emissive.x, from.emissive.y, from.emissive.z,
-                              std::max(from.roughness * from.roughness, 0.02f)};
+    materials_[i] = surface_of(model.materials[i]);
+    const std::string& name = model.materials[i].name;
+    if (name == "sail") rope_material_ = static_cast<int>(i);
+    if (name == "boot") windward_material_ = static_cast<int>(i);
+    if (name == "antifouling") lee_material_ = static_cast<int>(i);
   }
   for (const Image& image : model.images) pictures_.push_back(colour_texture(image));
   build_rigid(shaders, model);
@@ -157,7 +173,7 @@ void BoatPass::build_rigid(ShaderLibrary& shaders, const Model& model) {
   std::vector<Carrier> carriers;
   for (int node = 0; node < static_cast<int>(model.nodes.size()); ++node) {
     const ModelNode& from = model.nodes[static_cast<std::size_t>(node)];
-    if (node == boom_ || node == rudder_) {
+    if (node == boom_ || node == rudder_ || node == wheel_) {
       carriers.push_back({node, glm::mat4(1.0f)});
     } else if (from.parent < 0) {
       carriers.push_back({kStill, from.parent_from_node});
@@ -203,7 +219,7 @@ void BoatPass::build_rigid(ShaderLibrary& shaders, const Model& model) {
     if (count > 0) draws_.push_back({&program, first, count, picture, wire, carrier});
   };
   const auto gather = [&](const ShaderProgram& program, int picture, bool wire) {
-    for (const int carrier : {kStill, boom_, rudder_}) {
+    for (const int carrier : {kStill, boom_, rudder_, wheel_}) {
       gather_carried(program, picture, wire, carrier);
     }
   };
@@ -227,12 +243,12 @@ void BoatPass::build_rigid(ShaderLibrary& shaders, const Model& model) {
   vertices_ = gl::Buffer::of<RigidVertex>("boat.vertices", vertices);
   indices_ = gl::Buffer::of<std::uint32_t>("boat.indices", indices);
   rigid_layout_ = gl::VertexArray("boat.rigid");
-  constexpr int kStride = sizeof(RigidVertex);
-  rigid_layout_.attribute(0, 3, vertices_.id(), kStride, offsetof(RigidVertex, position));
-  rigid_layout_.attribute(1, 3, vertices_.id(), kStride, offsetof(RigidVertex, normal));
-  rigid_layout_.attribute(2, 2, vertices_.id(), kStride, offsetof(RigidVertex, uv));
-  rigid_layout_.attribute(3, 1, vertices_.id(), kStride, offsetof(RigidVertex, material));
-  rigid_layout_.index_buffer(indices_.id());
+  set_rigid_layout(rigid_layout_, vertices_, indices_);
+  line_vertices_ = gl::Buffer("boat.line_vertices", kMostLineVertices * sizeof(RigidVertex));
+  line_indices_ = gl::Buffer("boat.line_indices", 6 * kMostLineVertices * sizeof(std::uint32_t));
+  line_layout_ = gl::VertexArray("boat.lines");
+  set_rigid_layout(line_layout_, line_vertices_, line_indices_);
+  line_program_ = &shaders.program(stages, {{"WIRE", "1"}});
 }
 
 void BoatPass::build_cloth(const Model& model, const BoatTextures& textures) {
@@ -281,6 +297,7 @@ void BoatPass::build_cloth(const Model& model, const BoatTextures& textures) {
       if (vertex.uv.y > 0.999f) cloth.head = std::max(cloth.head, vertex.position.z);
       if (vertex.uv.x > 0.999f && vertex.uv.y < 0.001f)
         cloth.rise = vertex.position.y / vertex.position.z;
+      if (vertex.uv.x > 0.999f && vertex.uv.y < 0.001f) cloth.clew = vertex.position;
     }
   }
   cloth_[kMainsail].alpha = cloth_texture("boat.main_alpha", textures.main_alpha, 1.0f);
@@ -313,6 +330,9 @@ BoatPass::Frame BoatPass::pose(const BoatView& view, const shared::FrameData& fr
     glm::mat4 own(1.0f);
     if (node == boom_) own = turn(view.main.angle);
     if (node == rudder_) own = turn(view.rudder);
+    if (node == wheel_) {
+      own = glm::rotate(own, -kWheelGear * view.rudder, glm::vec3(0.0f, 0.0f, 1.0f));
+    }
     if (node == cloth_[kMainsail].node) own = glm::scale(own, glm::vec3(view.reef));
     if (node == cloth_[kJib].node) own = glm::scale(turn(view.jib.angle), glm::vec3(view.reef));
     if (node == cloth_[kFlag].node) own = turn(flag_now.yaw);
@@ -342,7 +362,105 @@ BoatPass::Frame BoatPass::pose(const BoatView& view, const shared::FrameData& fr
   out.cloth = {sail_cloth(mainsail, view.main, time, cloth_[kMainsail].node, kMainsail),
                sail_cloth(jib, view.jib, time, cloth_[kJib].node, kJib),
                flag_cloth(flag, flag_now, time, cloth_[kFlag].node)};
+  const glm::vec3 down = glm::inverse(view.orientation) * -kUp;
+  add_ropes(out, view, down);
+  if (view.hoisted) add_telltales(out, view, down, static_cast<float>(time));
   return out;
+}
+
+void BoatPass::add_ropes(Frame& out, const BoatView& view, const glm::vec3& down) const {
+  constexpr float kSheetRadius = 0.007f, kHalyardRadius = 0.005f;
+  const auto rope = [&](glm::vec3 a, glm::vec3 b, float length, float radius) {
+    add_line(out.lines, hanging_rope(a, b, length, down), radius, rope_material_);
+  };
+  // The mainsheet: from the boom's block to the traveller. Its length is what lets the boom as far
+  // out as its sheet allows, so it hangs slack while the boom swings inside.
+  const glm::vec3 block(0.0f, -0.21f, 2.83f), traveller(0.0f, 0.60f, 2.68f);
+  const auto block_at = [&](float angle) {
+    const Node& node = nodes_[static_cast<std::size_t>(boom_)];
+    return glm::vec3(node.parent_from_node * turn(angle) * glm::vec4(block, 1.0f));
+  };
+  const float paid_out = glm::distance(block_at(view.main.sheet), traveller);
+  for (const float part : {-0.03f, 0.03f}) {  // two parts of the tackle
+    const glm::vec3 beside(part, 0.0f, 0.0f);
+    rope(block_at(view.main.angle) + beside, traveller + beside,
+         std::max(paid_out, glm::distance(block_at(view.main.angle), traveller)), kSheetRadius);
+  }
+  // Halyards down the mast's forward side.
+  for (const float side : {-0.075f, 0.075f}) {
+    rope({side, 10.6f, -0.66f}, {side, 1.55f, -0.68f}, 9.06f, kHalyardRadius);
+  }
+  if (!view.hoisted) return;
+  // Jib sheets: through the cars to the winches. The one to leeward pulls, the other lies slack.
+  const Cloth& cloth = cloth_[kJib];
+  const auto clew_at = [&](float angle) {
+    const Node& node = nodes_[static_cast<std::size_t>(cloth.node)];
+    return glm::vec3(node.parent_from_node * turn(angle) * glm::vec4(view.reef * cloth.clew, 1.0f));
+  };
+  const glm::vec3 clew = clew_at(view.jib.angle);
+  for (const float side : {-1.0f, 1.0f}) {
+    const glm::vec3 car(0.86f * side, 0.98f, 0.39f), winch(0.90f * side, 1.02f, 1.75f);
+    const bool pulls = side * view.jib.angle >= 0.0f;
+    const float direct = glm::distance(clew, car);
+    const float length = pulls
+                             ? std::max(glm::distance(clew_at(side * view.jib.sheet), car), direct)
+                             : 1.12f * direct + 0.1f;
+    rope(clew, car, length, kSheetRadius);
+    rope(car, winch, glm::distance(car, winch), kSheetRadius);
+  }
+}
+
+void BoatPass::add_telltales(Frame& out, const BoatView& view, const glm::vec3& down,
+                             float time) const {
+  constexpr float kLength = 0.24f, kRadius = 0.006f, kOff = 0.02f;
+  constexpr int kPieces = 4;
+  const auto streamer = [&](Sails index, float u, float v, float side, float flow, int material) {
+    const Cloth& cloth = cloth_[index];
+    const glm::mat4& from_node = out.boat.boat_from_node[cloth.node];
+    const glm::vec3 from = cloth_point(out.cloth[index], cloth, u, v);
+    const glm::vec3 down_here = glm::inverse(glm::mat3(from_node)) * down;
+    const float seed = 3.7f * static_cast<float>(index) + 11.0f * v + side;
+    std::vector<glm::vec3> points;
+    glm::vec3 at = from + glm::vec3(side * kOff, 0.0f, 0.0f);
+    // Streams aft where the flow lies on the cloth, lifts and shakes where it does not, hangs in
+    // calm.
+    const float wind = std::clamp(glm::length(view.apparent_wind) / 3.0f, 0.0f, 1.0f);
+    const float shake = (1.0f - flow) * wind;
+    for (int i = 0; i <= kPieces; ++i) {
+      points.emplace_back(from_node * glm::vec4(at, 1.0f));
+      const float phase = 9.0f * time + seed - 0.9f * static_cast<float>(i);
+      const glm::vec3 aft(side * 0.5f * shake * std::abs(std::sin(0.7f * phase)),
+                          shake * 1.2f * std::sin(phase), 1.0f - 0.8f * shake);
+      const glm::vec3 way = glm::mix(down_here, aft, wind);
+      at += kLength / kPieces / std::max(glm::length(way), 1e-3f) * way;
+    }
+    add_line(out.lines, points, kRadius, material);
+  };
+  for (const float v : {0.22f, 0.45f, 0.68f}) {
+    for (const float side : {-1.0f, 1.0f}) {
+      const bool lee = side * view.jib.fill >= 0.0f;
+      const float flow = lee ? 1.0f - view.jib.stall : 1.0f - view.jib.luff;
+      streamer(kJib, 0.22f, v, side, flow, lee ? lee_material_ : windward_material_);
+    }
+  }
+  for (const float v : {0.35f, 0.6f, 0.82f}) {
+    const float flow = 1.0f - std::max(view.main.stall, view.main.luff);
+    streamer(kMainsail, 1.0f, v, 0.0f, flow, lee_material_);
+  }
+}
+
+// As shaders/boat/cloth.vert places it, without its waves.
+glm::vec3 BoatPass::cloth_point(const shared::ClothParameters& p, const Cloth& cloth, float u,
+                                float v) {
+  const float chord = glm::mix(cloth.foot, cloth.head, v);
+  const float place = p.belly.z, rise = 1.1f * place / (1.0f - place);
+  const float camber = std::pow(u, rise) * std::pow(1.0f - u, 1.1f) /
+                       (std::pow(place, rise) * std::pow(1.0f - place, 1.1f));
+  const float from_foot = glm::smoothstep(0.0f, 0.35f, v);
+  const float full = glm::mix(p.stream.w, 1.0f, from_foot);
+  const float x = p.belly.x * chord * camber * full * (1.0f - 0.7f * p.gradient_weight.w) +
+                  std::sin(p.belly.y * v) * chord * u;
+  return {x, v * cloth.hoist, u * chord};
 }
 
 void BoatPass::draw(const Frame& frame) const {
@@ -386,11 +504,26 @@ void BoatPass::draw(const Frame& frame) const {
     }
     elements(item.first, item.count);
   }
+  draw_lines(frame.lines);
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);
   glBindSampler(0, 0);
   glBindSampler(1, 0);
+}
+
+void BoatPass::draw_lines(const RigidMesh& lines) const {
+  if (lines.indices.empty() || lines.vertices.size() > kMostLineVertices) return;
+  line_vertices_.write(lines.vertices.data(), lines.vertices.size() * sizeof(RigidVertex));
+  line_indices_.write(lines.indices.data(), lines.indices.size() * sizeof(std::uint32_t));
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  line_layout_.bind();
+  line_program_->use();
+  line_program_->program().set(0, kStill);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(lines.indices.size()), GL_UNSIGNED_INT,
+                 nullptr);
 }
 
 void BoatPass::add(FrameGraph& graph, const BoatView& view, const shared::FrameData& frame,

@@ -15,6 +15,7 @@
 #include "engine/shader/shader_library.h"
 #include "game/frame/boat_view.h"
 #include "game/frame/cloth.h"
+#include "game/frame/rigid_vertex.h"
 #include "shaders/shared/boat.h"
 #include "shaders/shared/frame.h"
 
@@ -42,8 +43,8 @@ class BoatPass {
   BoatPass(ShaderLibrary& shaders, const Model& model, const BoatTextures& textures);
 
   /// Into `hdr` (radiance × exposure) and `depth` (reversed), both kept where she is not. The frame
-  /// block must be bound at binding 0 when the graph runs, and be equal to `frame`. `light`: the
-  /// probe at least.
+  /// block must be bound at binding 0 when the graph runs, and be equal to `frame`. `light`: sky,
+  /// probe and cloud shadow.
   void add(FrameGraph& graph, const BoatView& view, const shared::FrameData& frame,
            const LightAccess& light, TextureId hdr, TextureId depth) const;
 
@@ -71,26 +72,34 @@ class BoatPass {
     int node = -1;
     std::uint32_t first = 0, count = 0;
     float hoist = 0.0f, foot = 0.0f, head = 0.0f, rise = 0.0f;  ///< outline, m; see SailShade
+    glm::vec3 clew{0.0f};
     gl::Texture alpha, pattern;
   };
   struct Frame {
     shared::BoatData boat;
     std::array<shared::ClothParameters, 3> cloth;
     bool hoisted;
+    RigidMesh lines;  ///< ropes and telltales, boat frame
   };
   enum Sails { kMainsail, kJib, kFlag };
 
   void build_rigid(ShaderLibrary& shaders, const Model& model);
   void build_cloth(const Model& model, const BoatTextures& textures);
   Frame pose(const BoatView& view, const shared::FrameData& frame) const;
+  void add_ropes(Frame& out, const BoatView& view, const glm::vec3& down) const;
+  void add_telltales(Frame& out, const BoatView& view, const glm::vec3& down, float time) const;
+  static glm::vec3 cloth_point(const shared::ClothParameters& p, const Cloth& cloth, float u,
+                               float v);
   void draw(const Frame& frame) const;
+  void draw_lines(const RigidMesh& lines) const;
 
   struct Node {
     int parent;
     glm::mat4 parent_from_node;
   };
   std::vector<Node> nodes_;
-  int boom_ = -1, rudder_ = -1;
+  int boom_ = -1, rudder_ = -1, wheel_ = -1;
+  int rope_material_ = 0, windward_material_ = 0, lee_material_ = 0;
   std::array<shared::BoatMaterial, shared::kBoatMaterials> materials_;
   std::vector<Draw> draws_;
   std::uint32_t mask_first_ = 0, mask_count_ = 0;
@@ -100,11 +109,19 @@ class BoatPass {
   const ShaderProgram& cloth_program_;
   const ShaderProgram& mask_program_;
   gl::Buffer vertices_, indices_, cloth_vertices_, cloth_indices_;
-  gl::VertexArray rigid_layout_, cloth_layout_;
+  const ShaderProgram* line_program_ = nullptr;
+  gl::Buffer line_vertices_, line_indices_;
+  gl::VertexArray rigid_layout_, cloth_layout_, line_layout_;
   gl::Buffer boat_block_;
   std::array<gl::Buffer, 3> cloth_blocks_;
   gl::Sampler repeat_, clamp_;
 };
+
+/// A material as the shaders read it.
+shared::BoatMaterial surface_of(const ModelMaterial& from);
+/// Attributes of RigidVertex, for boat/rigid.vert.
+void set_rigid_layout(gl::VertexArray& layout, const gl::Buffer& vertices,
+                      const gl::Buffer& indices);
 
 /// Whether a sphere (relative to the camera, m) may be seen through this projection.
 bool sphere_in_view(const glm::mat4& clip_from_relative, const glm::vec3& centre, float radius);

@@ -9,7 +9,9 @@ struct SailView {
   float angle = 0.0f;  ///< rad, of the chord (the boom) from the centreline, positive to starboard
   float fill =
       0.0f;  ///< -1 to 1: how hard the wind presses the belly and to which side, + starboard
-  float luff = 0.0f;  ///< 0 full to 1 shaking
+  float luff = 0.0f;   ///< 0 full to 1 shaking
+  float stall = 0.0f;  ///< 0 attached to 1 stalled
+  float sheet = 0.0f;  ///< rad, the widest angle its sheet allows
 };
 
 /// All that drawing the boat needs to know of her: plain data, taken from the world once a frame.

@@ -19,11 +19,14 @@ BoatView boat_view(const World& world, glm::dvec3 camera, const SkyLight& light)
   BoatView view;
   view.position = glm::vec3(state.position - camera);
   view.orientation = glm::quat(state.orientation);
-  const auto sail = [](double angle, double fill, double luff) {
-    return SailView{static_cast<float>(angle), static_cast<float>(fill), static_cast<float>(luff)};
-  };
-  view.main = sail(state.boom_angle, state.main_fill, state.main_luff);
-  view.jib = sail(state.jib_angle, state.jib_fill, state.jib_luff);
+  const RigParameters& rig = world.boat().parameters().rig;
+  const auto real = [](double value) { return static_cast<float>(value); };
+  view.main = {real(state.boom_angle), real(state.main_fill), real(state.main_luff),
+               real(state.main_stall),
+               real(rig.boom_least + state.mainsheet * (rig.boom_stop - rig.boom_least))};
+  view.jib = {real(state.jib_angle), real(state.jib_fill), real(state.jib_luff),
+              real(state.jib_stall),
+              real(rig.jib_least + state.jib_sheet * (rig.jib_stop - rig.jib_least))};
   view.rudder = static_cast<float>(state.rudder_angle);
   view.reef = static_cast<float>(state.reef);
   view.hoisted = world.boat().controls().sails_up;
@@ -133,6 +136,10 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
   view.clouds = cloud_view(world, pose.position);
   view.exposure = world.scene().exposure;
   view.boat = boat_view(world, pose.position, view.light);
+  for (const Afloat& thing : world.flotsam()) {
+    view.flotsam.push_back({thing.kind, glm::vec3(thing.drawn_position - pose.position),
+                            glm::quat(thing.drawn_orientation)});
+  }
 
   const double aspect = static_cast<double>(size.x) / size.y;
   const glm::mat4 clip_from_view =

@@ -84,6 +84,7 @@ Techniques::Techniques(ShaderLibrary& shaders, const Quality& quality,
            load_model(boat_model.empty() ? data_root() / "assets/models/r8/r8.glb" : boat_model,
                       kBoatNodeNames),
            load_boat_textures(data_root() / "assets/textures")),
+      flotsam(shaders, load_model(data_root() / "assets/models/flotsam/flotsam.glb", kFlotsam)),
       exposure(shaders),
       bloom(shaders),
       tonemap(shaders),
@@ -113,6 +114,7 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   const SeaIds sea = t.ocean.add_maps(graph, view.sea_time);
   const TextureId hull = t.boat.add_mask(graph, view.boat, view.frame);
   t.boat.add(graph, view.boat, view.frame, light, hdr, depth);
+  t.flotsam.add(graph, view.flotsam, view.frame, light, hdr, depth);
   const UnderwaterIds under = t.ocean.add_draw(graph, ocean_view(view, wet), sea, light, hull, hdr,
                                                depth, view.sea_visible);
   t.sky.add_background(graph, view.light, sky, hdr, depth, sky_visible);

@@ -14,6 +14,7 @@
 #include "engine/sky/probe.h"
 #include "engine/sky/sky.h"
 #include "game/frame/boat_pass.h"
+#include "game/frame/flotsam_pass.h"
 #include "game/frame/frame_view.h"
 #include "game/frame/quality.h"
 
@@ -33,6 +34,7 @@ struct Techniques {
   BoatPass boat;
   Exposure exposure;
   Bloom bloom;
+  FlotsamPass flotsam;
   Tonemap tonemap;
   gl::Buffer frame_block;  ///< shared::FrameData
 };

@@ -2,6 +2,9 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <vector>
+
+#include "engine/clouds/gardner.h"
 #include <string>
 #include "engine/clouds/gardner.h"
 
@@ -16,6 +19,13 @@
 
 namespace offing {
 
+/// A thing afloat, to be drawn.
+struct FlotsamView {
+  int kind = 0;              ///< index into kFlotsam (world.h)
+  glm::vec3 position{0.0f};  ///< m, less the camera's place
+  glm::quat orientation{1.0f, 0.0f, 0.0f, 0.0f};
+};
+
 /// One frame as data: all that crosses from the simulation to the picture. Never changed once made.
 struct FrameView {
   glm::ivec2 size{1};       ///< pixels
@@ -25,6 +35,7 @@ struct FrameView {
   SkyLight light;
   CloudView clouds;
   BoatView boat;
+  std::vector<FlotsamView> flotsam;
   GardnerView gardner;
   ExposureSettings exposure;
   UnderwaterView underwater;

@@ -33,6 +33,7 @@ FieldTable Scene::fields() {
               "what the free camera looks at: x, y (up), z")
       .number("fov", camera.field_of_view_deg, {1.0, 120.0}, "deg", "vertical field of view");
   table.group("");
+  table.flag("flotsam", flotsam, "barrel, crate and raft float ahead of the start");
   table.integer("seed", seed, {0, 1000000000}, "of the sea's waves");
   table.group("sea").number("time", sea_time, {-1e9, 1e9}, "s", "the sea's clock at the start");
   return table;

@@ -47,6 +47,7 @@ struct Scene {
   BoatStart boat;
   CameraStart camera;
   ExposureSettings exposure;
+  bool flotsam = true;  ///< barrel, crate and raft float about the start
   GardnerParameters gardner;
   int cloud_method = static_cast<int>(CloudMethod::kVolumetric);
   SkyLook sky;

@@ -1,5 +1,8 @@
 #include "game/world/world.h"
 
+#include <glm/common.hpp>
+#include <glm/gtc/quaternion.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -20,8 +23,28 @@ void World::start() {
   owed_ = 0.0;
   before_ = boat_.state();
   time_before_ = scene_.environment.elapsed();
+  start_flotsam();
   draw_between(1.0);
   move_camera(0.0);
+}
+
+void World::start_flotsam() {
+  flotsam_.clear();
+  if (!scene_.flotsam) return;
+  // Ahead of her and out of her way, a few lengths apart.
+  const glm::dvec2 kPlaces[] = {{7.0, 22.0}, {-9.0, 34.0}, {16.0, 60.0}};  // m abeam, ahead
+  const double heading = radians(scene_.boat.heading_deg);
+  const glm::dvec2 ahead(std::sin(heading), -std::cos(heading)), right(-ahead.y, ahead.x);
+  FloatingThing things[] = {barrel(), crate(), raft()};
+  for (int kind = 0; kind < static_cast<int>(kFlotsam.size()); ++kind) {
+    Afloat thing{.kind = kind, .body = FloatingBody(things[kind])};
+    const glm::dvec2 place =
+        scene_.boat.position + kPlaces[kind].x * right + kPlaces[kind].y * ahead;
+    thing.body.start(place, heading + 1.1 * kind, water_, scene_.environment.elapsed());
+    thing.position_before = thing.body.position();
+    thing.orientation_before = thing.body.orientation();
+    flotsam_.push_back(std::move(thing));
+  }
 }
 
 void World::update(const Helm& helm, double dt) {
@@ -33,6 +56,11 @@ void World::update(const Helm& helm, double dt) {
       before_ = boat_.state();
       time_before_ = scene_.environment.elapsed();
       boat_.step(water_, wind_, time_before_, kStep);
+      for (Afloat& thing : flotsam_) {
+        thing.position_before = thing.body.position();
+        thing.orientation_before = thing.body.orientation();
+        thing.body.step(water_, time_before_, kStep);
+      }
       scene_.environment.advance(kStep);
       owed_ -= kStep;
     }
@@ -79,6 +107,10 @@ void World::move_lever(double delta) {
 
 void World::draw_between(double share) {
   drawn_boat_ = interpolate(before_, boat_.state(), share);
+  for (Afloat& thing : flotsam_) {
+    thing.drawn_position = glm::mix(thing.position_before, thing.body.position(), share);
+    thing.drawn_orientation = glm::slerp(thing.orientation_before, thing.body.orientation(), share);
+  }
   drawn_time_ = time_before_ + (scene_.environment.elapsed() - time_before_) * share;
 }
 

@@ -1,6 +1,11 @@
 #pragma once
+#include <array>
+#include <string_view>
+#include <vector>
+
 #include "engine/boat/boat.h"
 #include "engine/boat/environment_wind.h"
+#include "engine/boat/floating_body.h"
 #include "engine/ocean/water_surface.h"
 #include "game/world/camera.h"
 #include "game/world/scene.h"
@@ -17,6 +22,17 @@ struct Helm {
   bool toggle_heading_hold = false;
   bool tack_or_gybe = false;
   int reef = -1;  ///< 0 to 3, or -1 for no change
+};
+
+/// What floats about the boat at the start, by its model's node.
+inline constexpr std::array<std::string_view, 3> kFlotsam = {"barrel", "crate", "raft"};
+
+/// One of them.
+struct Afloat {
+  int kind = 0;  ///< index into kFlotsam
+  FloatingBody body;
+  glm::dvec3 position_before{0.0}, drawn_position{0.0};
+  glm::dquat orientation_before{1.0, 0.0, 0.0, 0.0}, drawn_orientation{1.0, 0.0, 0.0, 0.0};
 };
 
 /// The simulation: environment, sea state, boat and camera. Knows no OpenGL. The same scene, seed
@@ -45,6 +61,7 @@ class World {
   Camera& camera() { return camera_; }
   const Camera& camera() const { return camera_; }
 
+  const std::vector<Afloat>& flotsam() const { return flotsam_; }
   /// The boat between its last two steps, as it is to be drawn now.
   const BoatState& drawn_boat() const { return drawn_boat_; }
   /// How far the camera lies under the waves, m; 0 above them.
@@ -55,6 +72,7 @@ class World {
  private:
   void apply(const Helm& helm, double dt);
   void move_lever(double delta);
+  void start_flotsam();
   void draw_between(double share);
   void move_camera(double dt);
 
@@ -63,6 +81,7 @@ class World {
   EnvironmentWind wind_;
   Boat boat_;
   Camera camera_;
+  std::vector<Afloat> flotsam_;
   BoatState before_, drawn_boat_;
   double time_before_ = 0.0, drawn_time_ = 0.0;
   bool lever_held_ = false, lever_stopped_ = false;  ///< of the motor

@@ -2,7 +2,6 @@
 #include "shared/frame.h"
 #include "shared/boat.h"
 #include "shared/cloth.h"
-#include "sky/probe.glsl"
 #include "boat/light.glsl"
 
 layout(binding = 0) uniform sampler2D alpha_picture;
@@ -31,11 +30,14 @@ void main() {
   vec3 n = normalize(surface.normal);
   n = dot(n, surface.relative) > 0.0 ? -n : n;
   mat3 boat_from_world = transpose(mat3(boat.relative_from_boat));
-  vec3 light = ambient_illuminance(n) * (1.0 - through) + ambient_illuminance(-n) * through;
+  float cloud_light = cloud_shadow(surface.relative);
+  vec3 light = ambient_illuminance(n) * (1.0 - through) +
+               ambient_illuminance(-n) * through;
   for (int i = first_light(); i < last_light(); ++i) {
     vec3 l = light_direction(i);
-    light += light_illuminance(i) * faced(n, l, through) *
+    light += light_illuminance(i) * cloud_light * faced(n, l, through) *
              sail_shade(surface.in_boat, boat_from_world * l, int(cloth.colour_b.w));
   }
-  radiance = vec4(min(base / kPi * light * frame.time.z, vec3(6.0e4)), 1.0);
+  vec3 seen = through_air(base / kHalfTurn * light, surface.relative);
+  radiance = vec4(min(seen * frame.time.z, vec3(6.0e4)), 1.0);
 }

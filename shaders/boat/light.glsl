@@ -1,6 +1,9 @@
-// What falls on the boat: sun, moon, sky and the sea's bounce, with the shadows of the sails.
+// What falls on the boat: sun, moon, sky and sea, with the shadows of sails and clouds.
+#include "sky/sky.glsl"
+#include "sky/probe.glsl"
+#include "clouds/shadow.glsl"
 
-const float kPi = 3.14159265358979323846;
+const float kHalfTurn = 3.14159265358979323846;
 const float kSailTransmittance = 0.22;
 
 // The share of light from `direction` (boat frame) that passes the sails on its way to `p`.
@@ -30,6 +33,13 @@ float sail_shade(vec3 p, vec3 direction, int own) {
 
 // Illuminance (lux) of a surface with this normal from sky and sea, without sun and moon.
 vec3 ambient_illuminance(vec3 normal) { return probe_irradiance(normal); }
+
+// What is left of `radiance` (cd/m^2) through the air between, with the light of that air.
+vec3 through_air(vec3 radiance, vec3 relative) {
+  float distance_ = length(relative);
+  AirLight air = air_light(relative / max(distance_, 1.0e-3), distance_);
+  return radiance * air.transmittance + air.inscattered;
+}
 
 // Light 0 is the sun, light 1 the moon. Only those that count are gone through: by day the moon does
 // not, by night the sun does not. (Bounds of a loop save work where a branch would not.)

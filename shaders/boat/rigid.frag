@@ -2,7 +2,6 @@
 #include "shared/frame.h"
 #include "shared/boat.h"
 #include "lib/ggx.glsl"
-#include "sky/probe.glsl"
 #include "boat/light.glsl"
 
 layout(binding = 0) uniform sampler2D base_picture;
@@ -23,7 +22,7 @@ vec3 reflected(vec3 n, vec3 v, vec3 l, vec3 diffuse, vec3 f0, float alpha) {
   float n_dot_v = max(dot(n, v), 1.0e-3);
   vec3 h = normalize(l + v);
   float lobe = ggx_density(max(dot(n, h), 0.0), alpha) * ggx_visibility(n_dot_l, n_dot_v, alpha);
-  return n_dot_l * (diffuse / kPi + schlick_fresnel(f0, max(dot(l, h), 0.0)) * lobe);
+  return n_dot_l * (diffuse / kHalfTurn + schlick_fresnel(f0, max(dot(l, h), 0.0)) * lobe);
 }
 
 void main() {
@@ -41,23 +40,23 @@ void main() {
   vec3 v = -normalize(surface.relative);
   mat3 boat_from_world = transpose(mat3(boat.relative_from_boat));
 
+  float cloud_light = cloud_shadow(surface.relative);
   vec3 sum = vec3(0.0);
   for (int i = first_light(); i < last_light(); ++i) {
     vec3 l = light_direction(i);
-    sum += light_illuminance(i) * sail_shade(surface.in_boat, boat_from_world * l, -1) *
+    sum += light_illuminance(i) * cloud_light * sail_shade(surface.in_boat, boat_from_world * l, -1) *
            reflected(n, v, l, diffuse, f0, alpha);
   }
 
   // Sky and sea: diffuse from all round, glossy from about the mirror direction.
-  sum += diffuse / kPi * ambient_illuminance(n);
-  vec3 mirror = reflect(-v, n);
-  vec3 glossy = probe_radiance(mirror, sqrt(alpha));
+  sum += diffuse / kHalfTurn * ambient_illuminance(n);
+  vec3 glossy = probe_radiance(reflect(-v, n), sqrt(alpha));
   float m = 1.0 - max(dot(n, v), 0.0);
   // Reflectance of a rough surface over all directions (S. Lagarde 2011, "Adopting a physically based
   // shading model").
   vec3 reflectance = f0 + (max(vec3(1.0 - alpha), f0) - f0) * m * m * m * m * m;
   sum += reflectance * glossy;
 
-  sum += material.emission.rgb;
+  sum = through_air(sum + material.emission.rgb, surface.relative);
   radiance = vec4(min(sum * frame.time.z, vec3(6.0e4)), surface.coverage);
 }

@@ -9,6 +9,7 @@
 
 #include "boat_waters.h"
 #include "engine/boat/boat.h"
+#include "engine/boat/polar.h"
 #include "engine/boat/resistance.h"
 #include "engine/core/angles.h"
 
@@ -82,27 +83,7 @@ TEST(BoatHull, WeightEqualsBuoyancyAtRest) {
 }
 
 TEST(BoatHull, RightingArmsFollowTheReference) {
-  const Boat boat;
-  const R8Parameters& p = boat.parameters();
-  const double volume = p.mass / kWaterDensity;
-  const auto arm = [&](double heel_deg) {
-    const double heel = radians(heel_deg);
-    double low = -3.0, high = 3.0;
-    double gz = 0.0;
-    for (int i = 0; i < 60; ++i) {
-      const double h = 0.5 * (low + high);
-      const Immersion m = immerse_heeled(boat.hull().shape(), heel, h);
-      const double keel =
-          p.keel_volume *
-          std::clamp(0.5 + (h - p.keel_place.y * std::cos(heel)) / p.keel_span, 0.0, 1.0);
-      (m.volume + keel < volume ? low : high) = h;
-      const double x = m.volume * m.centroid.x;
-      const double y = m.volume * m.centroid.y + keel * p.keel_place.y;
-      gz = (x * std::cos(heel) + y * std::sin(heel)) / (m.volume + keel) -
-           boat.centre_of_mass().y * std::sin(heel);
-    }
-    return gz;
-  };
+  const auto arm = [](double heel_deg) { return righting_arm(R8Parameters{}, radians(heel_deg)); };
   EXPECT_NEAR(arm(1.0), 1.05 * std::sin(radians(1.0)), 0.0005);  // GM
   EXPECT_NEAR(arm(30.0), 0.475, 0.05 * 0.475);
   EXPECT_NEAR(arm(66.0), 0.70, 0.10 * 0.70);

@@ -614,12 +614,45 @@ def make_rudder(node):
     tube(node.part("steel"), [(0, root - 0.2, 0), (0, 0.74, 0)], 0.022, sides=10)
 
 
-def make_tiller(node):
-    wood = node.part("varnish")
-    path = [(0.0, 0.72 + 0.10 * math.sin(1.5 * f) - 0.02 * f, 0.08 - 1.22 * f)
-            for f in (k / 14 for k in range(15))]
-    tube(wood, path, [lerp(0.027, 0.015, k / 14) for k in range(14)] + [0.019], sides=8)
-    box(node.part("steel"), (-0.032, 0.69, -0.10), (0.032, 0.755, 0.07))
+WHEEL = (0.0, 1.02, 2.34)  # its hub, on the pedestal's after side
+WHEEL_RADIUS = 0.36
+
+
+def make_pedestal(node):
+    """What the wheel stands on: in the boat's frame, with the compass on top."""
+    gel, steel = node.part("gelcoat"), node.part("steel")
+    x, y, z = WHEEL
+    rings = []
+    for height, wide, deep in ((0.24, 0.17, 0.15), (0.30, 0.13, 0.12), (0.85, 0.10, 0.09), (1.05, 0.11, 0.10),
+                               (1.10, 0.09, 0.08)):
+        rings.append([(wide * math.cos(a), height, z - 0.17 + deep * math.sin(a))
+                      for a in (2 * math.pi * k / 16 for k in range(16))])
+    surface(gel, rings, wrap_v=True)
+    polygon(gel, rings[-1], (0.0, 1.0, 0.0))
+    lathe(node.part("black"), (0, 1.10, z - 0.17), [(0.085, 0.0), (0.088, 0.05), (0.07, 0.07)], 18)
+    lathe(node.part("window"), (0, 1.165, z - 0.17), [(0.07, 0.0), (0.055, 0.035), (0.03, 0.055), (0, 0.06)], 18)
+    # Grab rail over the compass.
+    rail = [(0.20, 0.42, z - 0.26), (0.20, 1.05, z - 0.26)]
+    rail += [(0.20 * math.cos(a), 1.05 + 0.24 * math.sin(a), z - 0.26) for a in
+             (math.pi * k / 10 for k in range(1, 10))]
+    rail += [(-0.20, 1.05, z - 0.26), (-0.20, 0.42, z - 0.26)]
+    tube(steel, rail, 0.0125, sides=8)
+
+
+def make_wheel(node):
+    """In the frame of the wheel node: origin at its hub, turning about z."""
+    steel, wood = node.part("steel"), node.part("varnish")
+    rim, count = [], 36
+    for k in range(count + 1):
+        a = 2 * math.pi * k / count
+        rim.append((WHEEL_RADIUS * math.cos(a), WHEEL_RADIUS * math.sin(a), 0.0))
+    tube(wood, rim, 0.016, sides=8, caps=False)
+    for k in range(6):
+        a = 2 * math.pi * k / 6 + math.pi / 2
+        tube(steel, [(0, 0, 0), (WHEEL_RADIUS * math.cos(a), WHEEL_RADIUS * math.sin(a), 0)], 0.008, sides=6)
+    tube(steel, [(0, 0, -0.09), (0, 0, 0.03)], 0.035, sides=14)
+    # The turk's head on the king spoke: straight up when the rudder is amidships.
+    tube(node.part("black"), [(-0.012, WHEEL_RADIUS, 0), (0.012, WHEEL_RADIUS, 0)], 0.022, sides=8)
 
 
 # ---- materials -----------------------------------------------------------------------------------
@@ -711,7 +744,8 @@ def main():
     jib_area, clew = make_jib(jib, lean)
     rudder = root.add(Node("rudder", (0.0, 0.0, STOCK_Z)))
     make_rudder(rudder)
-    make_tiller(rudder.add(Node("tiller")))
+    make_pedestal(deck)
+    make_wheel(root.add(Node("wheel", WHEEL)))
     make_flag(root.add(Node("flag", (0.62, 1.46, 3.716))))
     make_mask(root.add(Node("mask")))
 
