@@ -1,7 +1,7 @@
 #pragma once
-#include "engine/clouds/gardner.h"
-#include "engine/clouds/clouds.h"
 #include <filesystem>
+#include "engine/clouds/clouds.h"
+#include "engine/clouds/gardner.h"
 
 #include "engine/gl/buffer.h"
 #include "engine/gl/texture.h"
@@ -32,9 +32,9 @@ struct Techniques {
   Ocean ocean;
   GardnerClouds gardner;
   BoatPass boat;
+  FlotsamPass flotsam;
   Exposure exposure;
   Bloom bloom;
-  FlotsamPass flotsam;
   Tonemap tonemap;
   gl::Buffer frame_block;  ///< shared::FrameData
 };

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/clouds/gardner.h"
-#include "engine/clouds/cloud_parameters.h"
 #include "engine/boat/parameters.h"
+#include "engine/clouds/cloud_parameters.h"
+#include "engine/clouds/gardner_parameters.h"
 #include "engine/core/fields.h"
 #include "engine/environment/environment.h"
 #include "engine/ocean/sea_state.h"
