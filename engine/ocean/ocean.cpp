@@ -5,11 +5,16 @@
 #include <limits>
 
 #include "engine/core/angles.h"
+#include "engine/environment/gust_field.h"
 #include "engine/ocean/crossfade.h"
 #include "engine/ocean/fft_moments.h"
 #include "engine/ocean/foam_pattern.h"
+#include "engine/ocean/roughness_table.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/ocean.h"
+
+#define OFFING_GLSL "shaders/lib/water.glsl"
+#include "engine/core/glsl_double.h"
 
 namespace offing {
 namespace {
@@ -20,22 +25,11 @@ constexpr double kFoamLength = 7.3;  // m across the wind; no multiple of a casc
 constexpr int kFoamTexels = 256;
 constexpr double kTallestWave = 1.5;        // over Hs: none in a day's 10 000 waves is higher
 constexpr double kFarthestInWater = 250.0;  // m: no surface is seen from below beyond that
-constexpr double kFoamSoftness = 0.15;  // variance of the edge of foam over that of the Jacobian
 
-/// x with normal_below(x) = share.
-double normal_quantile(double share) {
-  double low = -8.0, high = 8.0;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (0.5 * std::erfc(-middle / std::sqrt(2.0)) < share ? low : high) = middle;
-  }
-  return low;
-}
-
-/// Bands of ripples do not break; with them the foam would be dots.
-double breaks(const CascadeBand& band) {
-  constexpr double kLongestRipple = 5.0;  // m
-  return band.k_min < kTau / kLongestRipple ? 1.0 : 0.0;
+/// Foam lies in rows from force 7 on.
+double streaks(double wind) {
+  const double t = std::clamp((wind - 11.0) / 6.0, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
 }
 
 double fraction(double x) { return x - std::floor(x); }
@@ -50,8 +44,13 @@ ShaderDefines two_sided(ShaderDefines defines) {
   return defines;
 }
 
-glm::vec4 to_vec4(const SlopeVariance& v) {
-  return glm::vec4(glm::dvec4(v.xx, v.zz, v.xz, v.total()));
+glm::vec4 rgb(glm::dvec3 v, double w = 0.0) { return glm::vec4(glm::dvec4(v, w)); }
+
+gl::Texture make_gusts() {
+  gl::Texture texture("sea.gusts",
+                      {.format = GL_R16F, .width = GustField::kSize, .height = GustField::kSize});
+  texture.upload(GL_RED, GL_FLOAT, gust_field().grid().data());
+  return texture;
 }
 
 }  // namespace
@@ -62,6 +61,7 @@ OceanSettings OceanSettings::of_quality(int quality) {
   settings.size = quality <= 0 ? 128 : 256;
   settings.mesh_cells = quality <= 0 ? 8 : quality == 1 ? 14 : quality == 2 ? 22 : 32;
   settings.cascades = quality >= 3 ? 4 : 3;
+  settings.foam_size = quality <= 0 ? 128 : 256;
   return settings;
 }
 
@@ -82,7 +82,13 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
       no_vertices_("sea.picture"),
       map_sampler_("sea.map", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
       foam_sampler_("sea.foam", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
+      line_sampler_("sea.lines", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
+      wrap_sampler_("sea.wrapped", GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
       foam_(make_foam_pattern(kFoamTexels)),
+      gusts_(make_gusts()),
+      roughness_("sea.roughness",
+                 {.format = GL_RGBA32F, .width = shared::kRoughnessEntries, .height = 1}),
+      foam_map_(shaders, settings.foam_size),
       underwater_(shaders, settings.quality) {
   make_grid();
 }
@@ -173,6 +179,9 @@ void Ocean::show(Sea sea) {
   wind_speed_ = sea.wind_speed;
   wind_to_ = sea.wind_to;
   maps_.set_waves(cascades_, choppiness_);
+  foam_law_ = foam_law(cascades_, choppiness_, white_share_);
+  roughness_.upload(GL_RGBA, GL_FLOAT, roughness_table(cascades_, slope_variance_).data());
+  ++shown_;
 }
 
 void Ocean::prime(FrameGraph& graph, double time) {
@@ -208,42 +217,52 @@ SeaIds Ocean::add_maps(FrameGraph& graph, double time, bool readback) {
 
 void Ocean::update_block(const OceanView& view) {
   shared::OceanData data{};
-  double carried = 0.0;
   for (std::size_t c = 0; c < cascades_.size(); ++c) {
     const Cascade& cascade = cascades_[c];
     const double x = std::cos(cascade.band.angle) / cascade.band.length;
     const double z = std::sin(cascade.band.angle) / cascade.band.length;
     const double point = cascade.band.length / cascade.size;
-    data.grid[c] = glm::vec4(glm::dvec4(x, z, std::log2(point), breaks(cascade.band)));
+    data.grid[c] = glm::vec4(glm::dvec4(x, z, std::log2(point), 0));
     // Map points lie at whole indices: shift by half a texel. Whole periods are dropped in double.
     const double half = 0.5 / cascade.size;
     data.origin[c] = glm::vec4(glm::dvec4(fraction(x * view.eye.x + z * view.eye.y + half),
                                           fraction(x * view.eye.y - z * view.eye.x + half), 0, 0));
-    for (int level = 0; level < shared::kOceanMapLevels; ++level) {
-      data.resolved[c * shared::kOceanMapLevels + static_cast<std::size_t>(level)] =
-          to_vec4(cascade.resolved[level]);
-    }
-    carried += cascade.resolved[0].total();
   }
-  data.variance = to_vec4(slope_variance_);
-  // The Jacobian is 1 + Dxx + Dzz to first order: normal with variance c^2 <|slope|^2>.
-  const double deviation = choppiness_ * std::sqrt(carried);
-  const double quantile = normal_quantile(std::clamp(white_share_, 1e-9, 0.5));
-  // Softening the edge by a share of that variance widens the whole distribution; so it is allowed
-  // for.
-  const double soft = kFoamSoftness * deviation * deviation;
-  data.foam =
-      glm::vec4(glm::dvec4(std::min(1.0 + quantile * std::sqrt(deviation * deviation + soft), 0.9),
-                           choppiness_ * choppiness_, carried, soft + 1e-4));
-  // Wind draws foam out into streaks.
+  data.water = glm::vec4(glm::dvec4(statistics_.hs, settings_.cascades,
+                                    SeaMesh::kReach * settings_.mesh_cells, mesh_.finest_spacing));
+
+  data.foam = glm::vec4(glm::dvec4(foam_law_.birth, foam_law_.present, breaking_cascades(cascades_),
+                                   foam_law_.softness));
+  data.foam_share =
+      glm::vec4(glm::dvec4(white_share_, std::max(white_share_ / foam_law_.breaking, 1.0),
+                           foam_law_.variance, streaks(wind_speed_)));
+  for (int layer = 0; layer < shared::kFoamLayers; ++layer) {
+    const double width = foam_map_.width(layer);
+    data.foam_map[layer] = glm::vec4(
+        glm::dvec4(fraction(view.eye.x / width), fraction(view.eye.y / width), 1.0 / width, 0));
+  }
+  // Wind draws foam out into streaks. The pattern is read at several scales, all eighths.
   const double stretch = 1.0 + wind_speed_ / 8.0;
   const glm::dvec2 along = wind_to_ / (kFoamLength * stretch);
   const double u = glm::dot(along, view.eye);
   const double v = stretch * (along.x * view.eye.y - along.y * view.eye.x);
-  data.foam_grid = glm::vec4(glm::dvec4(fraction(u), fraction(v), along.x, along.y));
+  data.foam_grid =
+      glm::vec4(glm::dvec4(8.0 * fraction(u / 8.0), 8.0 * fraction(v / 8.0), along.x, along.y));
   data.foam_stretch = glm::vec4(glm::dvec4(stretch, stretch * kFoamTexels, 0, 0));
-  data.water = glm::vec4(glm::dvec4(statistics_.hs, settings_.cascades,
-                                    SeaMesh::kReach * settings_.mesh_cells, mesh_.finest_spacing));
+
+  const glm::dvec2 gust = (view.eye - view.gust_origin) / GustField::kPeriod;
+  data.gust = glm::vec4(glm::dvec4(fraction(gust.x), fraction(gust.y), 1.0 / GustField::kPeriod,
+                                   GustField::kIntensity * view.gusts));
+
+  const glsl::WaterBody body = glsl::water_body(view.chlorophyll);
+  const glm::dvec3 extinction = body.absorption + 30.0 * body.backscatter;
+  // Irradiance reflectance .33 bb / (a + bb) (Gordon et al. 1975) and the way through the surface
+  // and back, .54.
+  data.body = rgb(0.54 * 0.33 / kPi * body.backscatter / (body.absorption + body.backscatter));
+  data.crest_thin = rgb(glm::exp(-1.2 * extinction));
+  data.crest_thick = rgb(glm::exp(-9.0 * extinction));
+  data.absorption = rgb(body.absorption);
+  data.backscatter = rgb(body.backscatter);
   block_.write(data);
 }
 
@@ -251,14 +270,18 @@ void Ocean::bind_surface(const PassContext& context, const SeaIds& sea) const {
   context.texture(sea.displacement).bind(0);
   context.texture(sea.slopes).bind(1);
   foam_.bind(2);
+  roughness_.bind(4);
   map_sampler_.bind(0);
   map_sampler_.bind(1);
   foam_sampler_.bind(2);
+  line_sampler_.bind(4);
   block_.bind_uniform(OFFING_BIND_OCEAN);
 }
 
 void Ocean::unbind_samplers() {
-  for (const GLuint unit : {0u, 1u, 2u}) glBindSampler(unit, 0);
+  for (const GLuint unit : {0u, 1u, 2u, 4u, GLuint{OFFING_UNIT_GUSTS}, GLuint{OFFING_UNIT_FOAM}}) {
+    glBindSampler(unit, 0);
+  }
 }
 
 Lens Ocean::lens(glm::dvec3 eye, std::span<const glm::vec3> corners, double time) const {
@@ -294,6 +317,13 @@ Lens Ocean::lens(glm::dvec3 eye, std::span<const glm::vec3> corners, double time
   return all_above ? Lens::kDry : all_below ? Lens::kSubmerged : Lens::kCrossing;
 }
 
+TextureId Ocean::add_foam(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
+                          bool visible) {
+  if (visible) update_block(view);
+  return foam_map_.add(graph, sea, view.eye, view.time, shown_, visible,
+                       [this, sea](const PassContext& context) { bind_surface(context, sea); });
+}
+
 UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
                               const LightAccess& sky, TextureId dry, TextureId hdr, TextureId depth,
                               bool visible) {
@@ -307,10 +337,12 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
   }
   const bool nothing_in_view = squares.empty();
   gl::TextureDesc seen_desc = graph.desc(hdr);
+  const TextureId hull = graph.create("sea.hull", seen_desc);
   seen_desc.format = GL_RGBA32F;
   const TextureId seen = graph.create("sea.seen", seen_desc);
   UnderwaterIds ids{.lens = view.lens, .solid = {}, .below = seen, .beyond = {}};
   ids.solid = underwater_.add_solid(graph, depth, wet);
+  const TextureId foam = add_foam(graph, view, sea, !nothing_in_view);
 
   graph.add(
       "sea.mesh",
@@ -319,8 +351,7 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
         pass.write(seen, Access::kAttachment).modify(depth).render_to({seen}, depth);
         pass.skip_if(nothing_in_view && !wet);
       },
-      [this, view, sea, dry, wet, squares = std::move(squares)](const PassContext& context) {
-        update_block(view);
+      [this, sea, dry, wet, squares = std::move(squares)](const PassContext& context) {
         squares_.write(squares.data(), squares.size() * sizeof(SeaMesh::Square));
         const float nowhere[4] = {0.0f, 0.0f, 0.0f, 0.0f};
         glClearBufferfv(GL_COLOR, 0, nowhere);
@@ -344,20 +375,42 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
   // A lens half in the water: the sea is drawn from above where a pixel is dry.
   const SurfaceAccess surface = surface_access(sea);
   const TextureId above = underwater_.add_split(graph, surface, seen, &ids);
+  // What stands in the water, as it looks without the water.
+  const bool hull_shows = view.hull_in_view && !nothing_in_view;
+  graph.add(
+      "sea.hull",
+      [&](PassBuilder& pass) {
+        pass.read(hdr, Access::kTransfer).write(hull, Access::kTransfer);
+        pass.skip_if(!hull_shows);
+      },
+      [hdr, hull](const PassContext& context) {
+        const gl::Texture &from = context.texture(hdr), &to = context.texture(hull);
+        glCopyImageSubData(from.id(), GL_TEXTURE_2D, 0, 0, 0, 0, to.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                           from.width(), from.height(), 1);
+      });
 
   graph.add(
       "sea.draw",
       [&](PassBuilder& pass) {
-        pass.read(sea.displacement).read(sea.slopes).read(above);
+        pass.read(sea.displacement).read(sea.slopes).read(above).read(foam).read(dry);
+        if (hull_shows) pass.read(hull);
         sky.declare(pass);
         pass.modify(hdr).render_to({hdr});
         pass.skip_if(nothing_in_view || submerged);
       },
-      [this, sea, above, bind_sky = sky.bind](const PassContext& context) {
+      [this, sea, above, foam, dry, hull, hull_shows,
+       bind_sky = sky.bind](const PassContext& context) {
         bind_surface(context, sea);
         context.texture(above).bind(3);
+        context.texture(dry).bind(5);
+        if (hull_shows) context.texture(hull).bind(6);
+        gusts_.bind(OFFING_UNIT_GUSTS);
+        wrap_sampler_.bind(OFFING_UNIT_GUSTS);
+        context.texture(foam).bind(OFFING_UNIT_FOAM);
+        wrap_sampler_.bind(OFFING_UNIT_FOAM);
         bind_sky(context);
         surface_.use();
+        surface_.program().set(0, hull_shows ? 1 : 0);
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_BLEND);
         no_vertices_.bind();

@@ -9,6 +9,8 @@
 #include "engine/environment/environment.h"
 #include "engine/gl/program.h"
 #include "engine/graph/frame_graph.h"
+#include "engine/ocean/foam_law.h"
+#include "engine/ocean/foam_map.h"
 #include "engine/ocean/gpu_moments.h"
 #include "engine/ocean/sea.h"
 #include "engine/ocean/sea_maps.h"
@@ -22,9 +24,10 @@
 namespace offing {
 
 struct OceanSettings {
-  int cascades = 3;    ///< 1 to 5
-  int size = 128;      ///< points per side of a cascade: 64, 128, 256 or 512
-  int mesh_cells = 8;  ///< per side of a mesh square; even; the mesh grows with its square
+  int cascades = 3;     ///< 1 to 5
+  int size = 128;       ///< points per side of a cascade: 64, 128, 256 or 512
+  int foam_size = 128;  ///< cells per side of the foam map's squares
+  int mesh_cells = 8;   ///< per side of a mesh square; even; the mesh grows with its square
   /// Cascades that water queries know, from the longest on: two hold the waves down to some 3 m
   /// that move a boat, the same at every quality.
   int query_cascades = 2;
@@ -39,6 +42,11 @@ struct OceanView {
   glm::mat4 clip_from_relative{1.0f};  ///< as in shared::FrameData
   glm::dvec2 eye{0.0};                 ///< x, z of the camera in the world, m
   double eye_height = 2.0;             ///< above the mean sea level, m
+  double time = 0.0;                   ///< the sea's clock, s; foam grows older by it
+  bool hull_in_view = false;           ///< something stands in the water where one looks
+  double gusts = 0.0;                  ///< strength, 0 to 1
+  glm::dvec2 gust_origin{0.0};         ///< where the gust field's origin lies now, m
+  double chlorophyll = 0.4;            ///< of the water, mg/m^3
   Lens lens = Lens::kDry;
 };
 
@@ -62,7 +70,8 @@ class Ocean {
   /// Makes the water known around `time`. Waits: for starts only.
   void prime(FrameGraph& graph, double time);
 
-  /// Adds sea.mesh, which finds what water each pixel shows, and sea.draw: its light into `hdr`
+  /// Adds sea.foam, sea.mesh, which finds what water each pixel shows, sea.hull where a hull
+  /// stands in it, and sea.draw: its light into `hdr`
   /// (radiance × exposure) and `depth` (reversed). The frame's FrameData must be bound when the
   /// graph runs. They do not run where not `visible`. Nothing is drawn inside a hull: `dry`, a
   /// picture of the same size, holds 1 / distance to its near side and the distance to its far
@@ -79,6 +88,9 @@ class Ocean {
   /// answer is kCrossing.
   Lens lens(glm::dvec3 eye, std::span<const glm::vec3> corners, double time) const;
 
+  /// Adds sea.foam alone, which add_draw() contains: the foam map for the view's place and time.
+  TextureId add_foam(FrameGraph& graph, const OceanView& view, const SeaIds& sea, bool visible);
+
   /// Takes in what has come back of the sea; never waits.
   void collect();
   /// Heights of the water for physics; safe from any thread.
@@ -91,6 +103,7 @@ class Ocean {
   double choppiness() const { return choppiness_; }
   const SeaMaps& maps() const { return maps_; }
   const Underwater& underwater() const { return underwater_; }
+  const FoamMap& foam() const { return foam_map_; }
   const OceanSettings& settings() const { return settings_; }
 
  private:
@@ -116,7 +129,12 @@ class Ocean {
   gl::Buffer vertices_, indices_, squares_, block_;
   gl::VertexArray array_, no_vertices_;
   gl::Sampler map_sampler_, foam_sampler_;
-  gl::Texture foam_;
+  gl::Sampler line_sampler_, wrap_sampler_;
+  gl::Texture foam_;  ///< its pattern
+  gl::Texture gusts_, roughness_;
+  FoamMap foam_map_;
+  FoamLaw foam_law_;
+  std::uint64_t shown_ = 0;  ///< counts show()
   Underwater underwater_;
   int index_count_ = 0;
 

@@ -31,6 +31,8 @@ Cascade blend(const Cascade& from, const Cascade& to, double seconds) {
     for (std::complex<double>& h0 : result.h0) h0 *= weight;
     result.variance *= weight * weight;
     for (SlopeVariance& resolved : result.resolved) resolved = scaled(resolved, weight * weight);
+    for (SlopeVariance& cell : result.slope_cells) cell = scaled(cell, weight * weight);
+    result.slope_rate *= weight * weight;
     return result;
   }
   for (std::size_t i = 0; i < result.h0.size(); ++i) {
@@ -40,6 +42,10 @@ Cascade blend(const Cascade& from, const Cascade& to, double seconds) {
   for (int level = 0; level < kVarianceLevels; ++level) {
     result.resolved[level] = mixed(from.resolved[level], fade.from, to.resolved[level], fade.to);
   }
+  for (std::size_t i = 0; i < result.slope_cells.size(); ++i) {
+    result.slope_cells[i] = mixed(from.slope_cells[i], fade.from, to.slope_cells[i], fade.to);
+  }
+  result.slope_rate = fade.from * from.slope_rate + fade.to * to.slope_rate;
   return result;
 }
 

@@ -214,6 +214,8 @@ Cascade make_cascade(const SeaSpectrum& spectrum, const CascadeBand& band, int s
   const auto cells = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
   cascade.h0.assign(cells, 0.0);
   cascade.frequency.assign(cells, 0.0);
+  const int quarter = size / kSamplesPerWave;
+  cascade.slope_cells.assign(cells / (kSamplesPerWave * kSamplesPerWave), {});
   const double dk = kTau / band.length;
   const double cosine = std::cos(band.angle), sine = std::sin(band.angle);
 
@@ -262,6 +264,11 @@ Cascade make_cascade(const SeaSpectrum& spectrum, const CascadeBand& band, int s
       cascade.h0[cell] = 0.5 * std::sqrt(energy) * std::complex<double>(normal.x, normal.y);
       cascade.variance += energy;
       drawn += 2.0 * std::norm(cascade.h0[cell]);
+      if (std::abs(nx) < quarter && std::abs(nz) < quarter) {
+        cascade.slope_cells[static_cast<std::size_t>(std::abs(nz) * quarter + std::abs(nx))] +=
+            {energy * k.x * k.x, energy * k.y * k.y, energy * k.x * k.y};
+      }
+      cascade.slope_rate += energy * glm::dot(k, k) * std::pow(cascade.frequency[cell], 2);
       for (int level = 0; level < kVarianceLevels; ++level) {
         const double share = energy * kept[static_cast<std::size_t>(level * size + std::abs(nx))] *
                              kept[static_cast<std::size_t>(level * size + std::abs(nz))];

@@ -91,6 +91,9 @@ struct Cascade {
   double variance = 0.0;          ///< expected, m^2
   /// Expected slope covariance that a map level still shows (level 0: all of the band).
   SlopeVariance resolved[kVarianceLevels];
+  /// The same by wave indices, at [|nz| * size / 4 + |nx|].
+  std::vector<SlopeVariance> slope_cells;
+  double slope_rate = 0.0;  ///< expected variance of the slopes' rate of change, 1/s^2
 
   /// Wave vector of a grid place in world axes, rad/m.
   glm::dvec2 wave_vector(int ix, int iz) const;

@@ -526,10 +526,14 @@ void BoatPass::draw_lines(const RigidMesh& lines) const {
                  nullptr);
 }
 
+bool BoatPass::in_view(const BoatView& view, const shared::FrameData& frame) const {
+  const glm::vec3 middle = view.position + view.orientation * kMiddle;
+  return sphere_in_view(frame.clip_from_relative, middle, kRadius);
+}
+
 void BoatPass::add(FrameGraph& graph, const BoatView& view, const shared::FrameData& frame,
                    const LightAccess& light, TextureId hdr, TextureId depth) const {
-  const glm::vec3 middle = view.position + view.orientation * kMiddle;
-  const bool visible = sphere_in_view(frame.clip_from_relative, middle, kRadius);
+  const bool visible = in_view(view, frame);
   graph.add(
       "boat",
       [&](PassBuilder& pass) {

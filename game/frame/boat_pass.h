@@ -48,6 +48,9 @@ class BoatPass {
   void add(FrameGraph& graph, const BoatView& view, const shared::FrameData& frame,
            const LightAccess& light, TextureId hdr, TextureId depth) const;
 
+  /// Whether any of the boat may be on screen.
+  bool in_view(const BoatView& view, const shared::FrameData& frame) const;
+
   /// Where no water may be seen, as a picture of the viewport's size: r is 1 / distance (1/m) to
   /// the hull's near side, g the distance (m) to its far side, both 0 where there is none. Water at
   /// distance d from the camera is inside the hull where d × r > 1 and d < g.

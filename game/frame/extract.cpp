@@ -129,6 +129,8 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
   view.size = size;
   view.camera = pose.position;
   view.sea_time = world.drawn_time();
+  view.gust_origin = environment.gust_origin();
+  view.chlorophyll = chlorophyll_of(world.scene().sea.clarity_m);
   view.light =
       paint(world.scene(),
             light_.update(environment.celestial(), environment.haze, pose.position.y,

@@ -43,8 +43,18 @@ Lens lens(const FrameView& view, const Ocean& ocean) {
   return ocean.lens(view.camera, near, view.sea_time);
 }
 
-OceanView ocean_view(const FrameView& view, Lens lens) {
-  return {view.frame.clip_from_relative, {view.camera.x, view.camera.z}, view.camera.y, lens};
+OceanView ocean_view(const FrameView& view, const Techniques& t, Lens lens) {
+  OceanView sea;
+  sea.clip_from_relative = view.frame.clip_from_relative;
+  sea.eye = {view.camera.x, view.camera.z};
+  sea.eye_height = view.camera.y;
+  sea.time = view.sea_time;
+  sea.hull_in_view = t.boat.in_view(view.boat, view.frame);
+  sea.gusts = view.frame.wind.y;
+  sea.gust_origin = view.gust_origin;
+  sea.chlorophyll = view.chlorophyll;
+  sea.lens = lens;
+  return sea;
 }
 
 // What of the light is ready when the sea and the boat are drawn.
@@ -115,7 +125,7 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   const TextureId hull = t.boat.add_mask(graph, view.boat, view.frame);
   t.boat.add(graph, view.boat, view.frame, light, hdr, depth);
   t.flotsam.add(graph, view.flotsam, view.frame, light, hdr, depth);
-  const UnderwaterIds under = t.ocean.add_draw(graph, ocean_view(view, wet), sea, light, hull, hdr,
+  const UnderwaterIds under = t.ocean.add_draw(graph, ocean_view(view, t, wet), sea, light, hull, hdr,
                                                depth, view.sea_visible);
   t.sky.add_background(graph, view.light, sky, hdr, depth, sky_visible);
   t.gardner.add(graph, gardner, view.light, t.sky, sky, hdr, depth);

@@ -12,6 +12,7 @@
 #include "engine/post/exposure_settings.h"
 #include "engine/sky/palette.h"
 #include "engine/ocean/underwater.h"
+#include "engine/sky/palette.h"
 #include "engine/sky/sky_light.h"
 #include "game/frame/boat_view.h"
 #include "game/world/world.h"
@@ -28,10 +29,12 @@ struct FlotsamView {
 
 /// One frame as data: all that crosses from the simulation to the picture. Never changed once made.
 struct FrameView {
-  glm::ivec2 size{1};       ///< pixels
-  shared::FrameData frame;  ///< as the shaders read it
-  glm::dvec3 camera{0.0};   ///< world, m
-  double sea_time = 0.0;    ///< s
+  glm::ivec2 size{1};           ///< pixels
+  shared::FrameData frame;      ///< as the shaders read it
+  glm::dvec3 camera{0.0};       ///< world, m
+  double sea_time = 0.0;        ///< s
+  glm::dvec2 gust_origin{0.0};  ///< of the gust field now, m
+  double chlorophyll = 0.4;     ///< of the water, mg/m^3
   SkyLight light;
   CloudView clouds;
   BoatView boat;

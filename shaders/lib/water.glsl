@@ -26,6 +26,27 @@ float fresnel_water(float cosine) {
   return 0.5 * a * a * (1.0 + b * b);
 }
 
+// What sea water of open oceans does to light, by its plankton (mg/m^3 of chlorophyll), 1/m at the red,
+// green and blue of a display. Absorption: pure water (Pope & Fry 1997), plankton and yellow
+// substance (Prieur & Sathyendranath 1981, Morel & Maritorena 2001). Backscattering: sea water (Morel
+// 1974) and particles (Morel & Maritorena 2001).
+struct WaterBody {
+  vec3 absorption;
+  vec3 backscatter;
+};
+WaterBody water_body(float chlorophyll) {
+  float plankton = 0.06 * pow(chlorophyll, 0.65);
+  float logarithm = log(chlorophyll) / 2.302585092994046;
+  float particles = 0.416 * pow(chlorophyll, 0.766) * (0.002 + 0.01 * (0.5 - 0.25 * logarithm));
+  float spectral = chlorophyll < 2.0 ? 0.5 * (logarithm - 0.3) : 0.0;
+  WaterBody body;
+  body.absorption = vec3((0.330 + 0.30 * plankton) * 1.014, (0.0565 + 0.357 * plankton) * 1.043,
+                         (0.00635 + plankton) * 1.2);
+  body.backscatter = vec3(0.00060 + particles * pow(1.13, spectral), 0.00097 + particles,
+                          0.00245 + particles * pow(0.80, spectral));
+  return body;
+}
+
 // Share of a normal distribution below x: Abramowitz & Stegun 26.2.17, error below 7.5e-8.
 float normal_below(float x) {
   float t = 1.0 / (1.0 + 0.2316419 * abs(x));
@@ -45,13 +66,26 @@ struct Facets {
 Facets visible_facets(float level, float width) {
   Facets facets;
   float a = clamp(level / max(width, 1.0e-6), -4.0, 30.0);
+  // normal_below(a), and the density that it needs as well.
   float density = 0.39894228040143268 * exp(-0.5 * a * a);
-  float below = normal_below(a);
+  float t = 1.0 / (1.0 + 0.2316419 * abs(a));
+  float tail = density * t *
+               (0.319381530 + t * (-0.356563782 + t * (1.781477937 +
+                t * (-1.821255978 + t * 1.330274429))));
+  float below = a > 0.0 ? 1.0 - tail : tail;
   float unit_area = a * below + density;  // E[(a + s)+] for unit sigma
   facets.area = max(width, 1.0e-6) * max(unit_area, 1.0e-7);
   if (a >= 30.0) facets.area = level;
   facets.slope = below / max(unit_area, 1.0e-7);  // E[s (a + s)+] / E[(a + s)+]
   return facets;
+}
+
+// The same share alone, level / area, to 1 %: the rational fit of Walter et al. 2007 to Smith's
+// function of a = level / (sqrt(2) width).
+float visible_share(float level, float width) {
+  float a = max(0.70710678118654752 * level / max(width, 1.0e-6), 0.0);
+  float hidden = a < 1.6 ? (1.0 - 1.259 * a + 0.396 * a * a) / (3.535 * a + 2.181 * a * a + 1.0e-6) : 0.0;
+  return 1.0 / (1.0 + hidden);
 }
 
 // Probability density of a slope, normal with the covariance xx, zz, xz (Cox & Munk 1954 without

@@ -1,8 +1,12 @@
-// Where the sea's maps are read: by the mesh and by the picture of it.
+// Where the sea's maps are read: by the mesh, by the foam and by the picture of it.
 #include "shared/bindings.h"
+
 layout(std140, binding = OFFING_BIND_OCEAN) uniform OceanBlock { OceanData ocean; };
 layout(binding = 0) uniform sampler2DArray sea_displacement;  // Dx, h, Dz, Dxz
 layout(binding = 1) uniform sampler2DArray sea_slopes;        // sx, sz, Dxx, Dzz
+// What the maps do not show, by the logarithm of the size over which they are read: covariance of the
+// slopes xx, zz, xz; share of the breaking waves' variance (roughness_table.h).
+layout(binding = OFFING_UNIT_SEA_ROUGHNESS) uniform sampler2D sea_roughness;
 
 const float kTwiceEarthRadius = 2.0 * 6371.0e3;  // m
 const float kFadeFirst = 4.0;  // what a cascade still shows of its waves at this map level …
@@ -15,8 +19,14 @@ vec3 sea_map_place(int cascade, vec2 q) {
               float(cascade));
 }
 
-// Map level at which details smaller than `size` (m) are averaged away.
-float sea_map_level(int cascade, float size) {
-  return max(log2(size) - ocean.grid[cascade].z, 0.0);
-}
+// Map level at which details smaller than 2^size (m) are averaged away.
+float sea_map_level_log2(int cascade, float size) { return max(size - ocean.grid[cascade].z, 0.0); }
+float sea_map_level(int cascade, float size) { return sea_map_level_log2(cascade, log2(size)); }
 float sea_map_share(float level) { return 1.0 - smoothstep(kFadeFirst, kFadeLast, level); }
+
+vec4 sea_missing(float size_log2) {
+  float entry = (size_log2 - kRoughnessFirst) * kRoughnessSteps;
+  return textureLod(sea_roughness, vec2((entry + 0.5) / float(kRoughnessEntries), 0.5), 0.0);
+}
+// Share of the variance of the breaking waves' Jacobian that is lost over this size (m).
+float sea_unresolved(float size) { return sea_missing(log2(size)).w; }

@@ -15,7 +15,7 @@
 #define OFFING_BIND_BOAT 6        // shared/boat.h
 #define OFFING_BIND_CLOTH 7       // shared/cloth.h
 #define OFFING_BIND_GARDNER 8     // shared/gardner.h
-#define OFFING_BIND_FOAM 9        // shared/foam.h
+#define OFFING_BIND_FOAM 9        // shared/ocean.h: a step of the foam map
 
 // Texture units
 #define OFFING_UNIT_SKY_SUN 8         // sky view of the sun
@@ -32,3 +32,4 @@
 #define OFFING_UNIT_CLOUD_CURL 19     // what the wind does to their edges
 #define OFFING_UNIT_CLOUD_WEATHER 20  // where there are clouds, and which
 #define OFFING_UNIT_CLOUD_MOST 21     // the most of it round each of its coarse cells
+#define OFFING_UNIT_SEA_ROUGHNESS 22    // what the sea's maps do not show

@@ -8,23 +8,41 @@ using glm::vec4;
 
 const int kOceanMaxCascades = 5;
 const int kOceanMapLevels = 6;  // levels of the maps: 0 to 5
+// The foam map's layers: squares about the viewer, each four times as wide as the one inside it.
+const int kFoamLayers = 4;
+// Where the roughness table begins and how finely it goes on: entries per doubling of the size.
+const float kRoughnessFirst = -6.0f;  // log2 m
+const float kRoughnessSteps = 8.0f;
+const int kRoughnessEntries = 128;
 
 struct OceanData {
   // Per cascade. Map coordinates of a point: uv = origin.xy + (c x + s z, c z - s x), with x and z
   // relative to the camera and (c, s) = grid.xy = (cos, sin)(angle) / length.
-  vec4 grid[kOceanMaxCascades];    // x: c, y: s (1/m); z: log2 of a map point's size in m; w: 1 where its waves
-                                   // are long enough to break
+  vec4 grid[kOceanMaxCascades];    // x: c, y: s (1/m); z: log2 of a map point's size in m
   vec4 origin[kOceanMaxCascades];  // x, y: uv of the point below the camera
-  // Slope covariance that level l of cascade c still shows, at [c * kOceanMapLevels + l]:
-  // x: <sx sx>, y: <sz sz>, z: <sx sz>; w: their trace.
-  vec4 resolved[kOceanMaxCascades * kOceanMapLevels];
-  vec4 variance;   // slope covariance of the whole sea down to capillaries, same order
-  vec4 foam;       // x: Jacobian at which half the water is white; y: choppiness^2; z: trace that all
-                   // cascades show at level 0; w: variance by which that edge is softened
+  vec4 water;      // x: Hs (m); y: number of cascades; z: mesh: distance per spacing; w: finest spacing (m)
+  // Cascades are sorted by length: the first foam.z of them have waves long enough to break.
+  vec4 foam;       // x: Jacobian at which half the water turns white; y: at which it may be white already;
+                   // z: number of breaking cascades; w: variance by which the edges are softened
+  vec4 foam_share; // x: share of white; y: that over what is breaking now; z: variance of the
+                   // breaking waves' Jacobian; w: streaks, 0 to 1
+  vec4 foam_map[kFoamLayers];  // x, y: uv of the point below the camera; z: 1 / width (1/m)
   // Foam texture coordinates: foam_grid.xy + (along . q, stretch (along x q)), along = foam_grid.zw.
   vec4 foam_grid;     // x, y: of the point below the camera; z, w: unit along the wind / length
   vec4 foam_stretch;  // x: length along over length across; y: that times texels per length
-  vec4 water;      // x: Hs (m); y: number of cascades; z: mesh: distance per spacing; w: finest spacing (m)
+  vec4 gust;          // x, y: uv of the point below the camera; z: 1 / period (1/m); w: deviation / mean
+  // Water by linear RGB.
+  vec4 body;          // rgb: radiance of the depths over the illuminance that falls on them
+  vec4 crest_thin, crest_thick;  // rgb: light left by 1.2 and 9 m of it
+  vec4 absorption;    // rgb: 1/m
+  vec4 backscatter;   // rgb: 1/m
+};
+
+// One step of the foam map.
+struct FoamData {
+  vec4 cell[kFoamLayers];   // x: size (m); y: its log2; z, w: where the camera's cell begins, from the camera (m)
+  vec4 place[kFoamLayers];  // x, y: the camera's cell in the map; z, w: cells gone since these rows were last seen to
+  vec4 step;                // x: time since then (s); y: first row; z: rows from one to the next
 };
 
 #ifdef __cplusplus
