@@ -3,6 +3,7 @@
 // matters is the ratio of the light on a surface of this normal, by linear sRGB.
 #include "shared/frame.h"
 #include "sky/sky.glsl"
+#include "sky/probe.glsl"
 #include "ocean/underwater.glsl"
 
 layout(binding = 3) uniform sampler2D sea_below;  // see underwater_split.frag
@@ -26,13 +27,9 @@ vec3 step_along(ivec2 pixel, ivec2 by, vec3 here) {
   return take ? after : before;
 }
 
+// As boat/light.glsl has it.
 vec3 lit_above(vec3 normal) {
-  const vec3 kFromSea = vec3(0.045, 0.070, 0.085);  // as on the boat (boat/light.glsl)
-  float up = 0.5 + 0.5 * normal.y;
-  vec3 bright = bright_light();
-  vec3 down = frame.sky_illuminance.rgb + bright * max(water.above.y, 0.0);
-  return frame.sky_illuminance.rgb * up + kFromSea * down * (1.0 - up) +
-         bright * max(dot(normal, water.above.xyz), 0.0);
+  return probe_irradiance(normal) + bright_light() * max(dot(normal, water.above.xyz), 0.0);
 }
 
 vec3 lit_below(vec3 normal, vec3 relative, float depth) {
@@ -44,8 +41,10 @@ vec3 lit_below(vec3 normal, vec3 relative, float depth) {
   // radiance that Tyler measured, 1960).
   float up = 0.5 + 0.5 * normal.y;
   vec3 deep = water.glow.rgb * kWaterPi;
+  float facing = max(dot(normal, water.light.xyz), 0.0) / water.light.y;
+  float gathered = caustic(relative, depth, length(relative) * frame.camera.w);
   return scattered * (up * up + 0.25 * up * (1.0 - up)) + whole * deep * (1.0 - up) +
-         beam / water.light.y * max(dot(normal, water.light.xyz), 0.0) * caustic(relative, depth, length(relative) * frame.camera.w);
+         beam * (facing * gathered);
 }
 
 void main() {
