@@ -25,7 +25,7 @@ class FoamMap {
   FoamMap(ShaderLibrary& shaders, int size);
 
   /// Adds sea.foam, and gives the map: layer by layer the thin foam and the thick, shares of the
-  /// surface. `bind` makes the sea's block, maps (units 0, 1) and roughness table (unit 4)
+  /// surface. `bind` makes the sea's block, maps (units 0, 1) and roughness table
   /// readable. Nothing is done while `time` (s) stands still, the viewer stays and `sea_key` is the
   /// same; going back in time, or ahead by more than 2 s, starts anew.
   template <class Bind>

@@ -270,16 +270,17 @@ void Ocean::bind_surface(const PassContext& context, const SeaIds& sea) const {
   context.texture(sea.displacement).bind(0);
   context.texture(sea.slopes).bind(1);
   foam_.bind(2);
-  roughness_.bind(4);
+  roughness_.bind(OFFING_UNIT_SEA_ROUGHNESS);
   map_sampler_.bind(0);
   map_sampler_.bind(1);
   foam_sampler_.bind(2);
-  line_sampler_.bind(4);
+  line_sampler_.bind(OFFING_UNIT_SEA_ROUGHNESS);
   block_.bind_uniform(OFFING_BIND_OCEAN);
 }
 
 void Ocean::unbind_samplers() {
-  for (const GLuint unit : {0u, 1u, 2u, 4u, GLuint{OFFING_UNIT_GUSTS}, GLuint{OFFING_UNIT_FOAM}}) {
+  for (const GLuint unit : {0u, 1u, 2u, GLuint{OFFING_UNIT_GUSTS}, GLuint{OFFING_UNIT_FOAM},
+                            GLuint{OFFING_UNIT_SEA_ROUGHNESS}}) {
     glBindSampler(unit, 0);
   }
 }
@@ -342,7 +343,7 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
   const TextureId seen = graph.create("sea.seen", seen_desc);
   UnderwaterIds ids{.lens = view.lens, .solid = {}, .below = seen, .beyond = {}};
   ids.solid = underwater_.add_solid(graph, depth, wet);
-  const TextureId foam = add_foam(graph, view, sea, !nothing_in_view);
+  const TextureId foam = add_foam(graph, view, sea, !nothing_in_view || wet);
 
   graph.add(
       "sea.mesh",
@@ -373,7 +374,7 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
       });
 
   // A lens half in the water: the sea is drawn from above where a pixel is dry.
-  const SurfaceAccess surface = surface_access(sea);
+  const SurfaceAccess surface = surface_access(sea, foam);
   const TextureId above = underwater_.add_split(graph, surface, seen, &ids);
   // What stands in the water, as it looks without the water.
   const bool hull_shows = view.hull_in_view && !nothing_in_view;
@@ -420,15 +421,21 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
   return ids;
 }
 
-SurfaceAccess Ocean::surface_access(const SeaIds& sea) const {
-  return {[sea](PassBuilder& pass) { pass.read(sea.displacement).read(sea.slopes); },
-          [this, sea](const PassContext& context) { bind_surface(context, sea); },
+SurfaceAccess Ocean::surface_access(const SeaIds& sea, TextureId foam) const {
+  return {[sea, foam](PassBuilder& pass) {
+            pass.read(sea.displacement).read(sea.slopes).read(foam);
+          },
+          [this, sea, foam](const PassContext& context) {
+            bind_surface(context, sea);
+            context.texture(foam).bind(OFFING_UNIT_FOAM);
+            wrap_sampler_.bind(OFFING_UNIT_FOAM);
+          },
           [] { unbind_samplers(); }};
 }
 
 void Ocean::add_underwater(FrameGraph& graph, const UnderwaterView& view, const SeaIds& sea,
                            const LightAccess& sky, const UnderwaterIds& ids, TextureId hdr) const {
-  underwater_.add(graph, view, surface_access(sea), sky, ids, hdr);
+  underwater_.add(graph, view, surface_access(sea, graph.import(foam_map_.map())), sky, ids, hdr);
 }
 
 }  // namespace offing

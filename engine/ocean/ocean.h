@@ -115,7 +115,7 @@ class Ocean {
   void update_block(const OceanView& view);
   void bind_surface(const PassContext& context, const SeaIds& sea) const;
   static void unbind_samplers();
-  SurfaceAccess surface_access(const SeaIds& sea) const;
+  SurfaceAccess surface_access(const SeaIds& sea, TextureId foam) const;
 
   OceanSettings settings_;
   ShaderLibrary& shaders_;

@@ -4,14 +4,12 @@
 
 #include <vector>
 
-#include "engine/clouds/gardner.h"
 #include <string>
 #include "engine/clouds/gardner.h"
 
 #include "engine/clouds/cloud_field.h"
-#include "engine/post/exposure_settings.h"
-#include "engine/sky/palette.h"
 #include "engine/ocean/underwater.h"
+#include "engine/post/exposure_settings.h"
 #include "engine/sky/palette.h"
 #include "engine/sky/sky_light.h"
 #include "game/frame/boat_view.h"

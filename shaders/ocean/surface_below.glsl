@@ -1,6 +1,5 @@
 // The sea's surface seen from the water. Needs shared/frame.h, shared/ocean.h, sky/sky.glsl,
-// sky/probe.glsl, ocean/surface.glsl and ocean/underwater.glsl before it.
-layout(binding = 2) uniform sampler2D foam_pattern;  // evenly distributed over 0 … 1
+// sky/probe.glsl, ocean/surface.glsl, ocean/foam.glsl and ocean/underwater.glsl before it.
 
 struct Underside {
   vec2 slope;       // in space
@@ -10,45 +9,22 @@ struct Underside {
 
 Underside read_underside(vec2 parameter, float footprint) {
   vec4 sum = vec4(0.0);
-  vec3 squeeze = vec3(0.0), resolved = vec3(0.0);
-  float cross_term = 0.0, shown = 0.0;
+  float cross_term = 0.0;
   int cascades = int(ocean.water.y);
   for (int c = 0; c < cascades; ++c) {
     float level = sea_map_level(c, footprint);
     float share = sea_map_share(level);
     if (share <= 0.0) break;
     vec3 place = sea_map_place(c, parameter);
-    vec4 slopes = share * textureLod(sea_slopes, place, level);
-    float mixed = share * textureLod(sea_displacement, place, level).w;
-    sum += slopes;
-    cross_term += mixed;
-    squeeze += ocean.grid[c].w * vec3(slopes.zw, mixed);
-    float entry = min(level, float(kOceanMapLevels - 1));
-    int first = c * kOceanMapLevels + min(int(entry), kOceanMapLevels - 2);
-    vec4 kept = share * share *
-                mix(ocean.resolved[first], ocean.resolved[first + 1], entry - floor(entry));
-    resolved += kept.xyz;
-    shown += ocean.grid[c].w * kept.w;
+    sum += share * textureLod(sea_slopes, place, level);
+    cross_term += share * textureLod(sea_displacement, place, level).w;
   }
   Underside under;
   under.slope = surface_slope(sum.x, sum.y, sum.z, sum.w, cross_term);
-  under.covariance = max(ocean.variance.xyz - resolved, vec3(4.0e-4, 4.0e-4, -1.0));
+  under.covariance = max(sea_missing(log2(footprint)).xyz, vec3(4.0e-4, 4.0e-4, -1.0));
   float bound = 0.9 * sqrt(under.covariance.x * under.covariance.y);
   under.covariance.z = clamp(under.covariance.z, -bound, bound);
-
-  // Foam as surface.frag has it: where the summed surface is squeezed, broken up by a pattern.
-  float jacobian = surface_jacobian(squeeze.x, squeeze.y, squeeze.z);
-  float unresolved = max(ocean.foam.z - shown, 0.0) * ocean.foam.y;
-  float coverage = normal_below((ocean.foam.x - jacobian) / sqrt(unresolved + ocean.foam.w));
-  vec2 along = ocean.foam_grid.zw;
-  vec2 at = ocean.foam_grid.xy + vec2(dot(along, parameter), ocean.foam_stretch.x *
-            (along.x * parameter.y - along.y * parameter.x));
-  float fineness = log2(max(footprint * length(along) * ocean.foam_stretch.y, 1.0e-6));
-  float pattern = 0.5 * (textureLod(foam_pattern, at, fineness).r +
-                         textureLod(foam_pattern, 2.7 * at.yx, fineness + 1.4).r);
-  pattern = pattern < 0.5 ? 2.0 * pattern * pattern : 1.0 - 2.0 * (1.0 - pattern) * (1.0 - pattern);
-  float soft = min(0.2, coverage);
-  under.foam = smoothstep(1.0 - coverage - soft, 1.0 - coverage + soft + 1.0e-4, pattern);
+  under.foam = sea_foam(parameter, footprint);
   return under;
 }
 
