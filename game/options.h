@@ -33,7 +33,7 @@ struct Options {
   std::optional<double> time;
   bool no_discs = false;
   std::filesystem::path points;
-  std::string method;  ///< empty: the default of what is exported
+  std::string method;          ///< empty: the default of what is exported
   std::optional<int> samples;  ///< of pathtrace: paths a pixel
   std::string tws = "6,12,20", twa = "45,60,90,120,150";
   double seconds = 60.0;

@@ -422,15 +422,14 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
 }
 
 SurfaceAccess Ocean::surface_access(const SeaIds& sea, TextureId foam) const {
-  return {[sea, foam](PassBuilder& pass) {
-            pass.read(sea.displacement).read(sea.slopes).read(foam);
-          },
-          [this, sea, foam](const PassContext& context) {
-            bind_surface(context, sea);
-            context.texture(foam).bind(OFFING_UNIT_FOAM);
-            wrap_sampler_.bind(OFFING_UNIT_FOAM);
-          },
-          [] { unbind_samplers(); }};
+  return {
+      [sea, foam](PassBuilder& pass) { pass.read(sea.displacement).read(sea.slopes).read(foam); },
+      [this, sea, foam](const PassContext& context) {
+        bind_surface(context, sea);
+        context.texture(foam).bind(OFFING_UNIT_FOAM);
+        wrap_sampler_.bind(OFFING_UNIT_FOAM);
+      },
+      [] { unbind_samplers(); }};
 }
 
 void Ocean::add_underwater(FrameGraph& graph, const UnderwaterView& view, const SeaIds& sea,

@@ -93,7 +93,8 @@ TEST_F(CloudNoiseTest, RepeatsWithoutASeam) {
   mean /= static_cast<double>(volumes.shape.size());
   square /= static_cast<double>(volumes.shape.size());
   EXPECT_NEAR(mean, 0.5, 0.08);
-  EXPECT_GT(std::sqrt(square - mean * mean), 0.12);
+  // An even distribution over 0 … 1 has .29: a third of that is relief, less would be fog.
+  EXPECT_GT(std::sqrt(square - mean * mean), 0.29 / 3.0);
 }
 
 }  // namespace

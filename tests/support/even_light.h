@@ -9,14 +9,15 @@
 
 namespace offing::test {
 
-/// Light for tests of what is lit by it: a probe with the same light from all round, of which a level
-/// surface gets FrameData's sky_illuminance; no clouds; air that neither takes nor gives light.
+/// Light for tests of what is lit by it: a probe with the same light from all round, of which a
+/// level surface gets FrameData's sky_illuminance; no clouds; air that neither takes nor gives
+/// light.
 class EvenLight {
  public:
   EvenLight() : map_("even light", {.format = GL_RGBA32F, .width = 2, .height = 1}) {
     constexpr float kRadiance = 0.3183099f;  // over the illuminance
-    const float texels[8] = {kRadiance, kRadiance, kRadiance, 1, kRadiance, kRadiance, kRadiance,
-                             1};
+    const float texels[8] = {kRadiance, kRadiance, kRadiance, 1,
+                             kRadiance, kRadiance, kRadiance, 1};
     map_.upload(GL_RGBA, GL_FLOAT, texels);
     shared::ProbeData data{};
     for (glm::vec4& level : data.levels) level = {0.0f, 0.0f, 1.0f, 0.0f};
