@@ -22,8 +22,8 @@ double low_side_tangent(const glm::dquat& orientation) {
 }
 
 double weir(double head) {
-  const double kDischarge = std::pow(2.0 / 3.0, 1.5);
-  return head > 0.0 ? kDischarge * std::sqrt(kGravity) * head * std::sqrt(head) : 0.0;
+  const double discharge = std::pow(2.0 / 3.0, 1.5);
+  return head > 0.0 ? discharge * std::sqrt(kGravity) * head * std::sqrt(head) : 0.0;
 }
 
 }  // namespace

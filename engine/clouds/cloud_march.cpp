@@ -234,7 +234,8 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
           pass.read(seen).read(distance).read(least).read(most).read(history_id).write(result_id);
           pass.cache(resolve_memory_, key).skip_if(!visible);
         },
-        [this, &result, &history, chosen, moved, clip_before, first_row](PassContext&) {
+        [this, &result, &history, chosen, moved, clip_before, first_row,
+         first_row_before = first_row_before_](PassContext&) {
           resolve_program_.use();
           const gl::Program& program = resolve_program_.program();
           program.set(0, quality_.cell);
@@ -243,6 +244,7 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
           program.set(3, clip_before);
           program.set(7, 0.65f);
           program.set(8, first_row);
+          program.set(9, first_row_before);
           seen_.bind(0);
           distance_.bind(1);
           least_.bind(2);
@@ -258,6 +260,7 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
         });
   }
   before_ = camera;
+  first_row_before_ = first_row;
   carried_before_ = carried;
   known_ = visible;
   return result_id;

@@ -74,6 +74,7 @@ class CloudMarch {
   bool known_ = false;
   std::uint64_t shown_ = 0;
   CloudCamera before_;
+  int first_row_before_ = 0;
   glm::dvec2 carried_before_{0.0};
   PassMemory march_memory_, bounds_memory_, resolve_memory_;
 };

@@ -39,6 +39,7 @@ QueryWaves::QueryWaves(std::span<const Cascade> cascades, int count) {
     size_ = std::max({size_, 64, static_cast<int>(std::bit_ceil(4 * periods))});
   }
   std::vector<double> gain;
+  gain.reserve(static_cast<std::size_t>(size_));
   for (int i = 0; i < size_; ++i) gain.push_back(spline_gain(signed_index(i, size_), size_));
   for (int c = 0; c < count; ++c) {
     const Cascade& from = cascades[static_cast<std::size_t>(c)];

@@ -412,7 +412,7 @@ void BoatPass::add_ropes(Frame& out, const BoatView& view, const glm::vec3& down
 
 void BoatPass::add_telltales(Frame& out, const BoatView& view, const glm::vec3& down,
                              float time) const {
-  constexpr float kLength = 0.24f, kRadius = 0.006f, kOff = 0.02f;
+  constexpr float kLength = 0.24f, kThickness = 0.006f, kOff = 0.02f;
   constexpr int kPieces = 4;
   const auto streamer = [&](Sails index, float u, float v, float side, float flow, int material) {
     const Cloth& cloth = cloth_[index];
@@ -434,7 +434,7 @@ void BoatPass::add_telltales(Frame& out, const BoatView& view, const glm::vec3& 
       const glm::vec3 way = glm::mix(down_here, aft, wind);
       at += kLength / kPieces / std::max(glm::length(way), 1e-3f) * way;
     }
-    add_line(out.lines, points, kRadius, material);
+    add_line(out.lines, points, kThickness, material);
   };
   for (const float v : {0.22f, 0.45f, 0.68f}) {
     for (const float side : {-1.0f, 1.0f}) {

@@ -32,14 +32,13 @@ void World::start_flotsam() {
   flotsam_.clear();
   if (!scene_.flotsam) return;
   // Ahead of her and out of her way, a few lengths apart.
-  const glm::dvec2 kPlaces[] = {{7.0, 22.0}, {-9.0, 34.0}, {16.0, 60.0}};  // m abeam, ahead
+  const glm::dvec2 places[] = {{7.0, 22.0}, {-9.0, 34.0}, {16.0, 60.0}};  // m abeam, ahead
   const double heading = radians(scene_.boat.heading_deg);
   const glm::dvec2 ahead(std::sin(heading), -std::cos(heading)), right(-ahead.y, ahead.x);
   FloatingThing things[] = {barrel(), crate(), raft()};
   for (int kind = 0; kind < static_cast<int>(kFlotsam.size()); ++kind) {
     Afloat thing{.kind = kind, .body = FloatingBody(things[kind])};
-    const glm::dvec2 place =
-        scene_.boat.position + kPlaces[kind].x * right + kPlaces[kind].y * ahead;
+    const glm::dvec2 place = scene_.boat.position + places[kind].x * right + places[kind].y * ahead;
     thing.body.start(place, heading + 1.1 * kind, water_, scene_.environment.elapsed());
     thing.position_before = thing.body.position();
     thing.orientation_before = thing.body.orientation();

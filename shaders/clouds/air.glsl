@@ -31,7 +31,7 @@ AirLight cloud_air(vec3 direction, float distance, float altitude) {
   vec3 whole = -log(max(cloud_air_transmittance(h0, max(direction.y, -sky.observer.y)), vec3(1.0e-6)));
   vec3 through = exp(-depth);
   AirLight air;
-  air.transmittance = srgb_from_bands(through);
+  air.transmittance = max(srgb_from_bands(through), vec3(0.0));  // (saturated reds lie outside sRGB)
   air.inscattered = sky_radiance(direction) *
                     clamp((vec3(1.0) - through) / (vec3(1.0) - exp(-max(whole, depth))), 0.0, 1.0);
   return air;

@@ -155,6 +155,8 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
       t += step_length;
     }
     if (t > far) break;
+    // What was skipped is empty: no cloud is spread over it.
+    step_length = min(step_length, 4.0 * max(FINEST, GROWTH * t) * clouds.march.x);
     float footprint = pixel * t;
     float inside = cloud_body(place, p, footprint);
     // Detail where the edge is near; it only takes away.

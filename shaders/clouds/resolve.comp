@@ -16,6 +16,7 @@ layout(location = 2) uniform vec3 moved;  // add to a place to have it as it lay
 layout(location = 3) uniform mat4 clip_before;
 layout(location = 7) uniform float fresh;  // weight of a new value
 layout(location = 8) uniform int first_row;  // below it there is only sea
+layout(location = 9) uniform int first_row_before;  // … and was in the last frame
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, first_row);
@@ -29,7 +30,8 @@ void main() {
   vec3 before = direction * texelFetch(distance_seen, texel, 0).r + moved;
   vec4 clip = clip_before * vec4(before, 1.0);
   vec2 at_before = (0.5 + 0.5 * clip.xy / max(clip.w, 1.0e-6)) * vec2(size);
-  bool known = clip.w > 0.0 && all(greaterThan(at_before, vec2(0.0))) && all(lessThan(at_before, vec2(size)));
+  bool known = clip.w > 0.0 && all(greaterThan(at_before, vec2(0.0, float(first_row_before) + 0.5))) &&
+               all(lessThan(at_before, vec2(size)));
   // Less than half a pixel is no reason to blur: the pixel's own turn comes soon. (Loops that run once or
   // not at all in place of branches, of which a CPU renderer runs both sides.)
   vec2 way = at_before - at;
@@ -43,7 +45,7 @@ void main() {
   }
   vec4 low = texelFetch(least, texel, 0), high = texelFetch(most, texel, 0);
   vec4 slack = 0.35 * (high - low);
-  vec4 value = clamp(old, low - slack, high + slack);
+  vec4 value = clamp(old, max(low - slack, vec4(0.0)), high + slack);
   bool own = all(equal(pixel - texel * cell, chosen));
   value = own ? mix(value, texelFetch(seen, texel, 0), known ? fresh : 1.0) : value;
   imageStore(result, pixel, value);
