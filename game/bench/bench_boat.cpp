@@ -120,11 +120,11 @@ Plot polar_plot(const R8Parameters& parameters) {
             .y_title = "knots"};
   const struct {
     double tws, speed[5];
-  } kReference[] = {{6, {4.1, 4.8, 5.0, 4.0, 2.9}},
-                    {12, {5.9, 6.4, 6.7, 6.1, 5.3}},
-                    {20, {6.3, 6.9, 8.2, 7.6, 7.0}}};
-  const double kAngles[] = {45, 60, 90, 120, 150};
-  for (const auto& row : kReference) {
+  } reference[] = {{6, {4.1, 4.8, 5.0, 4.0, 2.9}},
+                   {12, {5.9, 6.4, 6.7, 6.1, 5.3}},
+                   {20, {6.3, 6.9, 8.2, 7.6, 7.0}}};
+  const double angles[] = {45, 60, 90, 120, 150};
+  for (const auto& row : reference) {
     PlotCurve curve{fmt::format("{} kn", row.tws), {}}, marks{"", {}};
     marks.joined = false;
     for (double twa = 30.0; twa <= 170.0; twa += 10.0) {
@@ -132,7 +132,7 @@ Plot polar_plot(const R8Parameters& parameters) {
           sail_steadily(parameters, metres_per_second(row.tws), radians(twa), 120.0, 1.0 / 60.0);
       curve.points.push_back({twa, knots(s.speed)});
     }
-    for (int i = 0; i < 5; ++i) marks.points.push_back({kAngles[i], row.speed[i]});
+    for (int i = 0; i < 5; ++i) marks.points.push_back({angles[i], row.speed[i]});
     plot.curves.push_back(curve);
     plot.curves.push_back(marks);
   }

@@ -212,6 +212,7 @@ void bench_clouds(const Options& options) {
   report["renderer"] = gl::current_renderer().name;
   report["timer"] = software ? "cpu" : "finish";
   std::vector<std::unique_ptr<CloudRun>> runs;  // one for each quality
+  runs.reserve(4);
   for (int level = 0; level < 4; ++level)
     runs.push_back(std::make_unique<CloudRun>(CloudQuality::of(level)));
   CloudRun& truth = *runs.back();

@@ -61,6 +61,7 @@ std::vector<double> true_heights(std::vector<Complex> spectrum, int size) {
   fftw_execute(plan);
   fftw_destroy_plan(plan);
   std::vector<double> heights;
+  heights.reserve(spectrum.size());
   for (const Complex& value : spectrum) heights.push_back(value.real());
   return heights;
 }
