@@ -254,7 +254,7 @@ void Ocean::update_block(const OceanView& view) {
   data.gust = glm::vec4(glm::dvec4(fraction(gust.x), fraction(gust.y), 1.0 / GustField::kPeriod,
                                    GustField::kIntensity * view.gusts));
 
-  const glsl::WaterBody body = glsl::water_body(view.chlorophyll);
+  const glsl::WaterOptics body = glsl::water_optics(view.chlorophyll);
   const glm::dvec3 extinction = body.absorption + 30.0 * body.backscatter;
   // Irradiance reflectance .33 bb / (a + bb) (Gordon et al. 1975) and the way through the surface
   // and back, .54.

@@ -91,6 +91,8 @@ class BoatPass {
   Frame pose(const BoatView& view, const shared::FrameData& frame) const;
   void add_ropes(Frame& out, const BoatView& view, const glm::vec3& down) const;
   void add_telltales(Frame& out, const BoatView& view, const glm::vec3& down, float time) const;
+  /// A turn about the upward axis, radians.
+  static glm::mat4 yawed(float angle);
   static glm::vec3 cloth_point(const shared::ClothParameters& p, const Cloth& cloth, float u,
                                float v);
   void draw(const Frame& frame) const;

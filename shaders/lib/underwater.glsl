@@ -4,30 +4,6 @@
 
 // ---- What water does to light --------------------------------------------------------------------
 
-struct WaterOptics {
-  vec3 absorption;
-  vec3 scattering;
-  vec3 backscatter;  // the part of the scattering that turns light back
-};
-
-// Sea water of open oceans by its chlorophyll (mg/m^3), at 630, 550 and 440 nm. Pure water: Pope & Fry
-// 1997 (absorption), Morel 1974 (scattering, half of it backward). Plankton and yellow substance:
-// Prieur & Sathyendranath 1981, Morel 1991. Particles: Loisel & Morel 1998, Morel & Maritorena 2001.
-WaterOptics water_optics(float chlorophyll) {
-  float plankton = 0.06 * pow(chlorophyll, 0.65);
-  float logarithm = log(chlorophyll) / 2.302585092994046;
-  float particles = 0.416 * pow(chlorophyll, 0.766);
-  float backward = 0.002 + 0.01 * (0.5 - 0.25 * logarithm);
-  float slope = chlorophyll < 2.0 ? 0.5 * (logarithm - 0.3) : 0.0;
-  WaterOptics water;
-  water.absorption = vec3((0.330 + 0.30 * plankton) * 1.014, (0.0565 + 0.357 * plankton) * 1.043,
-                          (0.00635 + plankton) * 1.2);
-  vec3 by_particles = particles * vec3(pow(1.13, slope), 1.0, pow(0.80, slope));
-  water.scattering = by_particles + vec3(0.00120, 0.00194, 0.00490);
-  water.backscatter = backward * by_particles + vec3(0.00060, 0.00097, 0.00245);
-  return water;
-}
-
 // What a thin beam, and with it the contrast of small things, loses on its way (Duntley 1963).
 vec3 beam_attenuation(WaterOptics water) { return water.absorption + water.scattering; }
 

@@ -26,25 +26,29 @@ float fresnel_water(float cosine) {
   return 0.5 * a * a * (1.0 + b * b);
 }
 
-// What sea water of open oceans does to light, by its plankton (mg/m^3 of chlorophyll), 1/m at the red,
-// green and blue of a display. Absorption: pure water (Pope & Fry 1997), plankton and yellow
-// substance (Prieur & Sathyendranath 1981, Morel & Maritorena 2001). Backscattering: sea water (Morel
-// 1974) and particles (Morel & Maritorena 2001).
-struct WaterBody {
+// What water does to light, 1/m by linear RGB.
+struct WaterOptics {
   vec3 absorption;
-  vec3 backscatter;
+  vec3 scattering;
+  vec3 backscatter;  // the part of the scattering that turns light back
 };
-WaterBody water_body(float chlorophyll) {
+
+// Sea water of open oceans by its chlorophyll (mg/m^3), at 630, 550 and 440 nm. Pure water: Pope & Fry
+// 1997 (absorption), Morel 1974 (scattering, half of it backward). Plankton and yellow substance:
+// Prieur & Sathyendranath 1981, Morel 1991. Particles: Loisel & Morel 1998, Morel & Maritorena 2001.
+WaterOptics water_optics(float chlorophyll) {
   float plankton = 0.06 * pow(chlorophyll, 0.65);
   float logarithm = log(chlorophyll) / 2.302585092994046;
-  float particles = 0.416 * pow(chlorophyll, 0.766) * (0.002 + 0.01 * (0.5 - 0.25 * logarithm));
-  float spectral = chlorophyll < 2.0 ? 0.5 * (logarithm - 0.3) : 0.0;
-  WaterBody body;
-  body.absorption = vec3((0.330 + 0.30 * plankton) * 1.014, (0.0565 + 0.357 * plankton) * 1.043,
-                         (0.00635 + plankton) * 1.2);
-  body.backscatter = vec3(0.00060 + particles * pow(1.13, spectral), 0.00097 + particles,
-                          0.00245 + particles * pow(0.80, spectral));
-  return body;
+  float particles = 0.416 * pow(chlorophyll, 0.766);
+  float backward = 0.002 + 0.01 * (0.5 - 0.25 * logarithm);
+  float slope = chlorophyll < 2.0 ? 0.5 * (logarithm - 0.3) : 0.0;
+  WaterOptics water;
+  water.absorption = vec3((0.330 + 0.30 * plankton) * 1.014, (0.0565 + 0.357 * plankton) * 1.043,
+                          (0.00635 + plankton) * 1.2);
+  vec3 by_particles = particles * vec3(pow(1.13, slope), 1.0, pow(0.80, slope));
+  water.scattering = by_particles + vec3(0.00120, 0.00194, 0.00490);
+  water.backscatter = backward * by_particles + vec3(0.00060, 0.00097, 0.00245);
+  return water;
 }
 
 // Share of a normal distribution below x: Abramowitz & Stegun 26.2.17, error below 7.5e-8.

@@ -1,29 +1,13 @@
 #include <cmath>
 
 #include "engine/clouds/cloud_field.h"
-#include "engine/graph/gl_device.h"
-#include "support/gl_test.h"
+#include "support/graph_test.h"
 
 namespace offing {
 namespace {
 
-class CloudNoiseTest : public test::GlTest {
+class CloudNoiseTest : public test::GraphTest {
  protected:
-  void SetUp() override {
-    GlTest::SetUp();
-    if (IsSkipped()) return;
-    shaders_ = std::make_unique<ShaderLibrary>(data_root() / "shaders");
-    device_ = std::make_unique<GlDevice>();
-    graph_ = std::make_unique<FrameGraph>(*device_);
-  }
-
-  void TearDown() override {
-    graph_.reset();
-    device_.reset();
-    shaders_.reset();
-    GlTest::TearDown();
-  }
-
   struct Volumes {
     std::vector<float> shape, detail, weather;
   };
@@ -44,10 +28,6 @@ class CloudNoiseTest : public test::GlTest {
     graph_->execute();
     return volumes;
   }
-
-  std::unique_ptr<ShaderLibrary> shaders_;
-  std::unique_ptr<GlDevice> device_;
-  std::unique_ptr<FrameGraph> graph_;
 };
 
 TEST_F(CloudNoiseTest, RepeatsWithoutASeam) {

@@ -5,10 +5,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "engine/core/angles.h"
-#include "engine/graph/gl_device.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/frame.h"
-#include "support/gl_test.h"
+#include "support/graph_test.h"
 
 #define OFFING_GLSL "shaders/lib/clouds.glsl"
 #include "engine/core/glsl_double.h"
@@ -18,14 +17,11 @@ namespace {
 
 constexpr int kWidth = 96, kHeight = 54;
 
-class CloudsTest : public test::GlTest {
+class CloudsTest : public test::GraphTest {
  protected:
   void SetUp() override {
-    GlTest::SetUp();
+    GraphTest::SetUp();
     if (IsSkipped()) return;
-    shaders_ = std::make_unique<ShaderLibrary>(data_root() / "shaders");
-    device_ = std::make_unique<GlDevice>();
-    graph_ = std::make_unique<FrameGraph>(*device_);
     sky_ = std::make_unique<Sky>(*shaders_, 0);
     clouds_ = std::make_unique<Cloudscape>(*shaders_, 0);
     hdr_ = gl::Texture("hdr", {.format = GL_RGBA16F, .width = kWidth, .height = kHeight});
@@ -42,13 +38,10 @@ class CloudsTest : public test::GlTest {
   void TearDown() override {
     clouds_.reset();
     sky_.reset();
-    graph_.reset();
-    device_.reset();
-    shaders_.reset();
     hdr_ = {};
     depth_ = {};
     frame_ = {};
-    GlTest::TearDown();
+    GraphTest::TearDown();
   }
 
   /// One frame toward a direction, with nothing but clouds over black; the pixels, bottom row
@@ -110,9 +103,6 @@ class CloudsTest : public test::GlTest {
     return 4.0 * sum / static_cast<double>(a.size());
   }
 
-  std::unique_ptr<ShaderLibrary> shaders_;
-  std::unique_ptr<GlDevice> device_;
-  std::unique_ptr<FrameGraph> graph_;
   std::unique_ptr<Sky> sky_;
   std::unique_ptr<Cloudscape> clouds_;
   gl::Texture hdr_, depth_;

@@ -3,23 +3,19 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/graph/gl_device.h"
 #include "engine/post/bloom.h"
-#include "support/gl_test.h"
+#include "support/graph_test.h"
 
 namespace offing {
 namespace {
 
 constexpr int kWidth = 96, kHeight = 64;
 
-class ExposureTest : public test::GlTest {
+class ExposureTest : public test::GraphTest {
  protected:
   void SetUp() override {
-    GlTest::SetUp();
+    GraphTest::SetUp();
     if (IsSkipped()) return;
-    shaders_ = std::make_unique<ShaderLibrary>(data_root() / "shaders");
-    device_ = std::make_unique<GlDevice>();
-    graph_ = std::make_unique<FrameGraph>(*device_);
     exposure_ = std::make_unique<Exposure>(*shaders_);
     bloom_ = std::make_unique<Bloom>(*shaders_);
     hdr_ = gl::Texture("hdr", {.format = GL_RGBA32F, .width = kWidth, .height = kHeight});
@@ -53,9 +49,6 @@ class ExposureTest : public test::GlTest {
     return result;
   }
 
-  std::unique_ptr<ShaderLibrary> shaders_;
-  std::unique_ptr<GlDevice> device_;
-  std::unique_ptr<FrameGraph> graph_;
   std::unique_ptr<Exposure> exposure_;
   std::unique_ptr<Bloom> bloom_;
   gl::Texture hdr_;

@@ -6,7 +6,6 @@
 
 #include "engine/core/angles.h"
 #include "engine/core/random.h"
-#include "engine/graph/gl_device.h"
 #include "engine/ocean/direct_water.h"
 #include "engine/ocean/fft_moments.h"
 #include "engine/ocean/gpu_moments.h"
@@ -14,26 +13,13 @@
 #include "engine/ocean/ocean_export.h"
 #include "engine/ocean/sea_measurement.h"
 #include "game/world/random_sea.h"
-#include "support/gl_test.h"
+#include "support/graph_test.h"
 
 namespace offing {
 namespace {
 
-class OceanEnsemble : public test::GlTest {
+class OceanEnsemble : public test::GraphTest {
  protected:
-  void SetUp() override {
-    GlTest::SetUp();
-    if (IsSkipped()) return;
-    shaders_ = std::make_unique<ShaderLibrary>(data_root() / "shaders");
-    device_ = std::make_unique<GlDevice>();
-    graph_ = std::make_unique<FrameGraph>(*device_);
-  }
-  void TearDown() override {
-    graph_.reset();
-    device_.reset();
-    shaders_.reset();
-    GlTest::TearDown();
-  }
   /// A frame in which somebody looks at the sea.
   void look(Ocean& ocean, double time) {
     graph_->begin_frame();
@@ -45,9 +31,6 @@ class OceanEnsemble : public test::GlTest {
     graph_->execute();
     ocean.collect();
   }
-  std::unique_ptr<ShaderLibrary> shaders_;
-  std::unique_ptr<GlDevice> device_;
-  std::unique_ptr<FrameGraph> graph_;
 };
 
 /// The frequency weighted by the fourth power of a density, which stands for its peak (Delft).

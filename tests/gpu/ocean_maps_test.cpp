@@ -6,12 +6,11 @@
 #include <span>
 
 #include "engine/core/angles.h"
-#include "engine/graph/gl_device.h"
 #include "engine/ocean/direct_water.h"
 #include "engine/ocean/ocean.h"
 #include "engine/ocean/ocean_export.h"
 #include "engine/ocean/sea_maps.h"
-#include "support/gl_test.h"
+#include "support/graph_test.h"
 
 namespace offing {
 namespace {
@@ -27,7 +26,7 @@ std::vector<Cascade> make_sea(int count, int size, double wind, std::uint64_t se
   return cascades;
 }
 
-class OceanMaps : public test::GlTest {
+class OceanMaps : public test::GraphTest {
  protected:
   /// Runs one frame in which the maps are wanted.
   void run(SeaMaps& maps, double time) {
@@ -39,22 +38,6 @@ class OceanMaps : public test::GlTest {
         [](PassContext&) {});
     graph_->execute();
   }
-  void SetUp() override {
-    GlTest::SetUp();
-    if (IsSkipped()) return;
-    shaders_ = std::make_unique<ShaderLibrary>(data_root() / "shaders");
-    device_ = std::make_unique<GlDevice>();
-    graph_ = std::make_unique<FrameGraph>(*device_);
-  }
-  void TearDown() override {
-    graph_.reset();
-    device_.reset();
-    shaders_.reset();
-    GlTest::TearDown();
-  }
-  std::unique_ptr<ShaderLibrary> shaders_;
-  std::unique_ptr<GlDevice> device_;
-  std::unique_ptr<FrameGraph> graph_;
 };
 
 /// One field of one cascade by FFTW in double, from H(k, t) times i^a kx^b kz^c c^d / |k|^d.

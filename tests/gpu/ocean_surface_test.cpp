@@ -4,30 +4,15 @@
 #include <vector>
 
 #include "engine/core/random.h"
-#include "engine/graph/gl_device.h"
 #include "engine/ocean/ocean.h"
 #include "engine/ocean/roughness_table.h"
-#include "support/gl_test.h"
+#include "support/graph_test.h"
 
 namespace offing {
 namespace {
 
-class OceanSurface : public test::GlTest {
+class OceanSurface : public test::GraphTest {
  protected:
-  void SetUp() override {
-    GlTest::SetUp();
-    if (IsSkipped()) return;
-    shaders_ = std::make_unique<ShaderLibrary>(data_root() / "shaders");
-    device_ = std::make_unique<GlDevice>();
-    graph_ = std::make_unique<FrameGraph>(*device_);
-  }
-  void TearDown() override {
-    graph_.reset();
-    device_.reset();
-    shaders_.reset();
-    GlTest::TearDown();
-  }
-
   /// One frame of foam seen from `eye`.
   void foam(Ocean& ocean, double time, glm::dvec2 eye = {3.0, 1.0e6}) {
     graph_->begin_frame();
@@ -57,10 +42,6 @@ class OceanSurface : public test::GlTest {
     }
     return -1;
   }
-
-  std::unique_ptr<ShaderLibrary> shaders_;
-  std::unique_ptr<GlDevice> device_;
-  std::unique_ptr<FrameGraph> graph_;
 };
 
 // The share of the map is the share of the picture's water that the evenly distributed pattern

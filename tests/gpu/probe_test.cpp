@@ -6,10 +6,9 @@
 
 #include "engine/core/angles.h"
 #include "engine/environment/calendar.h"
-#include "engine/graph/gl_device.h"
 #include "engine/sky/probe_reference.h"
 #include "shaders/shared/bindings.h"
-#include "support/gl_test.h"
+#include "support/graph_test.h"
 
 namespace offing {
 namespace {
@@ -22,14 +21,11 @@ CelestialState sun_at(double azimuth, double elevation) {
   return s;
 }
 
-class ProbeTest : public test::GlTest {
+class ProbeTest : public test::GraphTest {
  protected:
   void SetUp() override {
-    GlTest::SetUp();
+    GraphTest::SetUp();
     if (IsSkipped()) return;
-    shaders_ = std::make_unique<ShaderLibrary>(data_root() / "shaders");
-    device_ = std::make_unique<GlDevice>();
-    graph_ = std::make_unique<FrameGraph>(*device_);
     sky_ = std::make_unique<Sky>(*shaders_, 0);
     probe_ = std::make_unique<Probe>(*shaders_, ProbeSettings::of_quality(0));
     reference_ = std::make_unique<ProbeReference>(*shaders_);
@@ -77,9 +73,6 @@ class ProbeTest : public test::GlTest {
     return glm::dot(glm::dvec3(c), glm::dvec3(0.2126, 0.7152, 0.0722));
   }
 
-  std::unique_ptr<ShaderLibrary> shaders_;
-  std::unique_ptr<GlDevice> device_;
-  std::unique_ptr<FrameGraph> graph_;
   std::unique_ptr<Sky> sky_;
   std::unique_ptr<Probe> probe_;
   std::unique_ptr<ProbeReference> reference_;

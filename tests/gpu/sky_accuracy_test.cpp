@@ -5,10 +5,9 @@
 
 #include "engine/core/angles.h"
 #include "engine/environment/calendar.h"
-#include "engine/graph/gl_device.h"
 #include "engine/sky/air_reference.h"
 #include "engine/sky/sky_panorama.h"
-#include "support/gl_test.h"
+#include "support/graph_test.h"
 
 #define OFFING_GLSL "shaders/lib/phase.glsl"
 #include "engine/core/glsl_double.h"
@@ -18,14 +17,11 @@
 namespace offing {
 namespace {
 
-class SkyAccuracy : public test::GlTest {
+class SkyAccuracy : public test::GraphTest {
  protected:
   void SetUp() override {
-    GlTest::SetUp();
+    GraphTest::SetUp();
     if (IsSkipped()) return;
-    shaders_ = std::make_unique<ShaderLibrary>(data_root() / "shaders");
-    device_ = std::make_unique<GlDevice>();
-    graph_ = std::make_unique<FrameGraph>(*device_);
     sky_ = std::make_unique<Sky>(*shaders_, 0);
     stars_ = load_stars(star_file());
     model_ = SkyLightModel(Starlight(stars_, load_milky_way(milky_way_file())));
@@ -44,9 +40,6 @@ class SkyAccuracy : public test::GlTest {
     return glm::dot(all.level_illuminance(), glm::dvec3(0.2126, 0.7152, 0.0722));
   }
 
-  std::unique_ptr<ShaderLibrary> shaders_;
-  std::unique_ptr<GlDevice> device_;
-  std::unique_ptr<FrameGraph> graph_;
   std::unique_ptr<Sky> sky_;
   std::vector<Star> stars_;
   SkyLightModel model_;

@@ -6,11 +6,10 @@
 
 #include "engine/core/angles.h"
 #include "engine/environment/calendar.h"
-#include "engine/graph/gl_device.h"
 #include "engine/sky/palette.h"
 #include "engine/sky/sky.h"
 #include "shaders/shared/bindings.h"
-#include "support/gl_test.h"
+#include "support/graph_test.h"
 
 #define OFFING_GLSL "shaders/lib/phase.glsl"
 #include "engine/core/glsl_double.h"
@@ -29,27 +28,21 @@ glm::dvec3 toward(double azimuth_deg, double elevation_deg) {
   return p.direction();
 }
 
-class SkyNightTest : public test::GlTest {
+class SkyNightTest : public test::GraphTest {
  protected:
   void SetUp() override {
-    GlTest::SetUp();
+    GraphTest::SetUp();
     if (IsSkipped()) return;
-    shaders_ = std::make_unique<ShaderLibrary>(data_root() / "shaders");
-    device_ = std::make_unique<GlDevice>();
-    graph_ = std::make_unique<FrameGraph>(*device_);
     sky_ = std::make_unique<Sky>(*shaders_, 0);
     frame_ = gl::Buffer("frame", sizeof(shared::FrameData));
   }
 
   void TearDown() override {
     sky_.reset();
-    graph_.reset();
-    device_.reset();
-    shaders_.reset();
     hdr_ = {};
     depth_ = {};
     frame_ = {};
-    GlTest::TearDown();
+    GraphTest::TearDown();
   }
 
   struct View {
@@ -142,9 +135,6 @@ class SkyNightTest : public test::GlTest {
     throw std::runtime_error("no pass " + name);
   }
 
-  std::unique_ptr<ShaderLibrary> shaders_;
-  std::unique_ptr<GlDevice> device_;
-  std::unique_ptr<FrameGraph> graph_;
   std::unique_ptr<Sky> sky_;
   gl::Texture hdr_, depth_;
   gl::Buffer frame_;

@@ -7,9 +7,8 @@
 
 #include "engine/core/angles.h"
 #include "engine/environment/calendar.h"
-#include "engine/graph/gl_device.h"
 #include "shaders/shared/bindings.h"
-#include "support/gl_test.h"
+#include "support/graph_test.h"
 
 #define OFFING_GLSL "shaders/lib/phase.glsl"
 #include "engine/core/glsl_double.h"
@@ -21,14 +20,11 @@ namespace {
 
 constexpr int kWidth = 160, kHeight = 90;
 
-class SkyTest : public test::GlTest {
+class SkyTest : public test::GraphTest {
  protected:
   void SetUp() override {
-    GlTest::SetUp();
+    GraphTest::SetUp();
     if (IsSkipped()) return;
-    shaders_ = std::make_unique<ShaderLibrary>(data_root() / "shaders");
-    device_ = std::make_unique<GlDevice>();
-    graph_ = std::make_unique<FrameGraph>(*device_);
     sky_ = std::make_unique<Sky>(*shaders_, 0);
     hdr_ = gl::Texture("hdr", {.format = GL_RGBA16F, .width = kWidth, .height = kHeight});
     depth_ =
@@ -38,13 +34,10 @@ class SkyTest : public test::GlTest {
 
   void TearDown() override {
     sky_.reset();
-    graph_.reset();
-    device_.reset();
-    shaders_.reset();
     hdr_ = {};
     depth_ = {};
     frame_ = {};
-    GlTest::TearDown();
+    GraphTest::TearDown();
   }
 
   /// One frame toward a direction; the picture's pixels, bottom row first.
@@ -95,9 +88,6 @@ class SkyTest : public test::GlTest {
     return {picture[i], picture[i + 1], picture[i + 2]};
   }
 
-  std::unique_ptr<ShaderLibrary> shaders_;
-  std::unique_ptr<GlDevice> device_;
-  std::unique_ptr<FrameGraph> graph_;
   std::unique_ptr<Sky> sky_;
   gl::Texture hdr_, depth_;
   gl::Buffer frame_;
