@@ -135,6 +135,7 @@ CloudField::CloudField(ShaderLibrary& shaders)
 
 CloudIds CloudField::add(FrameGraph& graph, const CloudView& view, const shared::CloudData& data) {
   lowest_base_ = data.layer.x;
+  mean_base_ = data.layer.w;
   const CloudNoise::Ids noise = noise_.add(graph, view.parameters);
   const WeatherMap::Ids weather =
       weather_.add(graph, noise.weather, view.weather, view.elapsed, view.parameters, view.seed);

@@ -51,6 +51,7 @@ class CloudField {
   CloudNoise& noise() { return noise_; }
   /// Of what was added last, m over the sea.
   double lowest_base() const { return lowest_base_; }
+  double mean_base() const { return mean_base_; }
 
  private:
   CloudNoise noise_;
@@ -58,7 +59,7 @@ class CloudField {
   gl::Sampler volume_, plane_, nearest_;
   gl::Buffer block_;
   PassMemory block_memory_;
-  double lowest_base_ = 0.0;
+  double lowest_base_ = 0.0, mean_base_ = 0.0;
 };
 
 /// How far (x, z; m) and how fast (m/s) the wind at this height (m) carries clouds.

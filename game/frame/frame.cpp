@@ -133,7 +133,7 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   t.sky.add_background(graph, view.light, sky, hdr, depth, sky_visible);
   t.gardner.add(graph, gardner, view.light, t.sky, sky, hdr, depth);
   t.clouds.add_picture(graph, clouds, view.clouds, cloud_camera(view), t.sky, sky, hdr, depth,
-                       sky_visible);
+                       sky_visible, wet != Lens::kSubmerged);
   t.ocean.add_underwater(graph, view.underwater, sea, light, under, hdr);
 
   const BufferId exposure = t.exposure.add(graph, hdr,
