@@ -65,15 +65,31 @@ glm::dvec2 cloud_velocity(const CloudView& view, double height) {
   return cloud_carried(unit, height);
 }
 
+double cloud_base(const CloudView& view) {
+  // Stratus lies lower, and rain brings bases down.
+  return view.parameters.base * glsl::cloud_blend(0.55, 1.0, 1.0, view.weather.type) *
+         (1.0 - 0.35 * view.weather.precipitation);
+}
+
+glm::dvec2 weather_place(const CloudView& view) {
+  const double period = WeatherMap::kPeriod * view.parameters.scale;
+  const glm::dvec3 at = at_eye(view, cloud_carried(view, cloud_base(view)), period, 0);
+  return {at.x, at.z};
+}
+
+glm::dvec2 rain_lag(const CloudView& view) {
+  constexpr double kFall = 6.5;  // m/s: drops of 2 mm (Atlas, Srivastava & Sekhon 1973)
+  const double base = cloud_base(view);
+  return (cloud_velocity(view, base) - view.wind_speed * view.wind_to) * (base / kFall);
+}
+
 shared::CloudData cloud_data(const CloudView& view, const SkyLight& light) {
   const CloudParameters& p = view.parameters;
   const Clouds& weather = view.weather;
   shared::CloudData data{};
 
   const double type = weather.type;
-  // Stratus lies lower, and rain brings bases down.
-  const double base =
-      p.base * glsl::cloud_blend(0.55, 1.0, 1.0, type) * (1.0 - 0.35 * weather.precipitation);
+  const double base = cloud_base(view);
   const double spread = kBaseSpread * glsl::cloud_blend(0.25, 0.6, 1.0, type) * base / 700.0;
   // The tallest that any column can be: types scatter about the global one.
   const double tallest =
@@ -83,8 +99,8 @@ shared::CloudData cloud_data(const CloudView& view, const SkyLight& light) {
       pack(base - spread, base + spread + 1.06 * tallest * p.scale, p.extinction * p.density, base);
 
   const glm::dvec2 carried = cloud_carried(view, base);
-  const glm::dvec3 w = at_eye(view, carried, WeatherMap::kPeriod * p.scale, 0);
-  data.weather = pack(w.x, w.z, 1.0 / (WeatherMap::kPeriod * p.scale), 1.0 - weather.cover);
+  const glm::dvec2 w = weather_place(view);
+  data.weather = pack(w.x, w.y, 1.0 / (WeatherMap::kPeriod * p.scale), 1.0 - weather.cover);
   // The body's noise rises and drifts ahead a little: clouds boil.
   const double rise = 0.7 * p.evolution * view.elapsed;
   glm::dvec3 s = at_eye(view, carried * 1.02, kShapePeriod * p.scale, 1);
@@ -135,7 +151,6 @@ CloudField::CloudField(ShaderLibrary& shaders)
 
 CloudIds CloudField::add(FrameGraph& graph, const CloudView& view, const shared::CloudData& data) {
   lowest_base_ = data.layer.x;
-  mean_base_ = data.layer.w;
   const CloudNoise::Ids noise = noise_.add(graph, view.parameters);
   const WeatherMap::Ids weather =
       weather_.add(graph, noise.weather, view.weather, view.elapsed, view.parameters, view.seed);

@@ -51,7 +51,6 @@ class CloudField {
   CloudNoise& noise() { return noise_; }
   /// Of what was added last, m over the sea.
   double lowest_base() const { return lowest_base_; }
-  double mean_base() const { return mean_base_; }
 
  private:
   CloudNoise noise_;
@@ -59,12 +58,20 @@ class CloudField {
   gl::Sampler volume_, plane_, nearest_;
   gl::Buffer block_;
   PassMemory block_memory_;
-  double lowest_base_ = 0.0, mean_base_ = 0.0;
+  double lowest_base_ = 0.0;
 };
 
 /// How far (x, z; m) and how fast (m/s) the wind at this height (m) carries clouds.
 glm::dvec2 cloud_carried(const CloudView& view, double height);
 glm::dvec2 cloud_velocity(const CloudView& view, double height);
+
+/// Height of the bases in the mean, m over the sea.
+double cloud_base(const CloudView& view);
+/// Coordinates of the view's eye in the weather map, in periods.
+glm::dvec2 weather_place(const CloudView& view);
+/// How far rain from the bases lags behind its cloud at the sea, twice over (x, z; m): drops fall
+/// into slower air, by the wind's difference at first and by nothing at the end.
+glm::dvec2 rain_lag(const CloudView& view);
 
 /// What density.glsl and the march read of a view and its light.
 shared::CloudData cloud_data(const CloudView& view, const SkyLight& light);

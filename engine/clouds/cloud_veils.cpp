@@ -11,21 +11,21 @@ namespace {
 
 constexpr int kShaftSteps = 10, kRainSteps = 16;
 constexpr double kNearest = 200.0;  // m: what is nearer has no veil before it
-constexpr double kFall = 6.5;       // m/s: drops of 2 mm (Atlas, Srivastava & Sekhon 1973)
 
 GLuint groups(int size) { return static_cast<GLuint>((size + 7) / 8); }
 
 }  // namespace
 
-CloudVeils::CloudVeils(ShaderLibrary& shaders)
-    : program_(shaders.program({"clouds/veils.comp"})),
+CloudVeils::CloudVeils(ShaderLibrary& shaders, int quality)
+    : cell_(quality < 2 ? 8 : 4),
+      program_(shaders.program({"clouds/veils.comp"})),
       smooth_program_(shaders.program({"clouds/veils_smooth.comp"})),
       draw_program_(shaders.program({"clouds/veils.vert", "clouds/veils.frag"})),
       linear_("clouds veils", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
       no_vertices_("clouds veils without vertices") {}
 
 void CloudVeils::resize(glm::ivec2 size) {
-  const glm::ivec2 cells = (size + kCell - 1) / kCell;
+  const glm::ivec2 cells = (size + cell_ - 1) / cell_;
   if (rough_ && glm::ivec2(rough_.width(), rough_.height()) == cells) return;
   const gl::TextureDesc desc{.format = GL_RGBA16F, .width = cells.x, .height = cells.y};
   rough_ = gl::Texture("clouds veils rough", desc);
@@ -44,10 +44,7 @@ void CloudVeils::add(FrameGraph& graph, const CloudField& field, const CloudIds&
   const int shaft_steps = effects.shafts > 0.0 ? kShaftSteps : 0;
   const int rain_steps = raining ? kRainSteps : 0;
   const bool wanted = visible && view.weather.cover > 0.0 && shaft_steps + rain_steps > 0;
-  // Drops keep falling into slower air and are left behind.
-  const double base = std::max(field.mean_base(), 100.0);
-  const glm::dvec2 lag =
-      (cloud_velocity(view, base) - view.wind_speed * view.wind_to) * (base / kFall);
+  const glm::dvec2 lag = rain_lag(view);
   const glm::vec4 amount(effects.shafts, effects.rain_rate, lag.x, lag.y);
   const std::uint64_t key =
       hash_of(camera.clip_from_relative, camera.eye, camera.exposure, view.elapsed, view.drift,
@@ -67,7 +64,7 @@ void CloudVeils::add(FrameGraph& graph, const CloudField& field, const CloudIds&
         field.bind(context, ids);
         shadow.bind(context, shadow_ids);
         program_.use();
-        program_.program().set(0, kCell);
+        program_.program().set(0, cell_);
         program_.program().set(1, amount);
         program_.program().set(2, glm::ivec2(shaft_steps, rain_steps));
         rough_.bind_image(0, GL_WRITE_ONLY);

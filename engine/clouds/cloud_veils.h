@@ -7,10 +7,12 @@
 namespace offing {
 
 /// What of the clouds hangs in the air below them: shafts of light and shadow, and veils of rain.
-/// Made at a quarter of the picture's size and laid over everything that is far off.
+/// Made at an eighth (low, medium) or a quarter of the picture's size and laid over everything that
+/// is far off.
 class CloudVeils {
  public:
-  explicit CloudVeils(ShaderLibrary& shaders);
+  /// `quality` 0 (low) to 3 (ultra).
+  CloudVeils(ShaderLibrary& shaders, int quality);
 
   /// Adds clouds.veils, clouds.veils_smooth and clouds.veils_draw; they run only where the view has
   /// clouds and wants shafts or rain. Under the clouds they belong over them, from above behind.
@@ -19,12 +21,10 @@ class CloudVeils {
            const CloudView& view, const CloudCamera& camera, TextureId hdr, TextureId depth,
            bool visible);
 
-  /// Pixels of the picture to one of the veils, a side.
-  static constexpr int kCell = 4;
-
  private:
   void resize(glm::ivec2 size);
 
+  int cell_;  ///< pixels of the picture to one of the veils, a side
   const ShaderProgram& program_;
   const ShaderProgram& smooth_program_;
   const ShaderProgram& draw_program_;

@@ -7,7 +7,7 @@ Cloudscape::Cloudscape(ShaderLibrary& shaders, int quality)
       shadow_(shaders),
       map_(shaders, CloudMapSettings::of_quality(quality)),
       march_(shaders, CloudQuality::of(quality)),
-      veils_(shaders) {}
+      veils_(shaders, quality) {}
 
 CloudscapeIds Cloudscape::add_field(FrameGraph& graph, const CloudView& view,
                                     const SkyLight& light) {

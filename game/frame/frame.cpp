@@ -53,6 +53,8 @@ OceanView ocean_view(const FrameView& view, const Techniques& t, Lens lens) {
   sea.hull_in_view = t.boat.in_view(view.boat, view.frame);
   sea.gusts = view.frame.wind.y;
   sea.gust_origin = view.gust_origin;
+  sea.squalls = view.squalls;
+  sea.squall_corner = view.squall_corner;
   sea.chlorophyll = view.chlorophyll;
   sea.lens = lens;
   return sea;

@@ -1,4 +1,4 @@
-// What hangs in the air between the sea and the clouds, at a quarter of the picture's size: shafts of light
+// What hangs in the air between the sea and the clouds, at a fraction of the picture's size: shafts of light
 // and shadow, and rain. Stored are radiance × exposure to add (negative where light is missing) and the
 // share of everything behind that is left.
 #include "shared/frame.h"
@@ -36,11 +36,13 @@ void main() {
   CloudSpan span = cloud_shell(max(clouds.eye.x, 1.0), direction.y, clouds.eye.y, 0.0, clouds.layer.w);
   bool to_sea = cloud_altitude(direction * span.far) < 0.5 * clouds.layer.w;
   vec3 missing = vec3(0.0);
-  if (steps.x > 0 && span.far > span.near) missing = shaft_missing(direction, span, to_sea, jitter);
+  // Loops that run once or not at all: a CPU renderer runs both sides of an if.
+  bool any = span.far > span.near;
+  for (int i = 0; i < int(any && steps.x > 0); ++i) missing = shaft_missing(direction, span, to_sea, jitter);
   RainVeil rain;
   rain.light = vec3(0.0);
   rain.transmittance = 1.0;
-  if (steps.y > 0 && span.far > span.near) rain = rain_veil(direction, span, jitter);
+  for (int i = 0; i < int(any && steps.y > 0); ++i) rain = rain_veil(direction, span, jitter);
   vec3 light = (rain.light - missing * rain.transmittance) * frame.time.z;
   imageStore(veils, texel, vec4(clamp(light, vec3(-30000.0), vec3(30000.0)), rain.transmittance));
 }

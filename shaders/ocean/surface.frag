@@ -15,6 +15,7 @@ layout(binding = 3) uniform sampler2D sea_seen;  // see mesh.frag
 layout(binding = 5) uniform sampler2D dry;       // see mesh.frag
 layout(binding = 6) uniform sampler2D hull;      // the picture so far, where a hull is in view
 layout(binding = OFFING_UNIT_GUSTS) uniform sampler2D gusts;
+layout(binding = OFFING_UNIT_SQUALLS) uniform sampler2D squalls;
 layout(location = 0) uniform int hull_in_view;
 
 const float kFoamAlbedo = 0.55;  // fresh whitecaps, Koepke 1984
@@ -45,6 +46,9 @@ Surface read_surface(vec2 parameter, float footprint) {
   // Ripples answer a gust at once, and steeply: their growth goes with the square of the wind's pull
   // (Plant 1982), so do the cat's paws that sailors look for.
   float gust = 1.0 + ocean.gust.w * textureLod(gusts, ocean.gust.xy + parameter * ocean.gust.z, 0.0).r;
+  for (int i = 0; i < int(ocean.squall.w); ++i) {  // under rain
+    gust += textureLod(squalls, ocean.squall.xy + parameter * ocean.squall.z, 0.0).r;
+  }
   surface.covariance = sea_missing(size).xyz * clamp(gust * gust * gust, 0.2, 3.0);
   return surface;
 }
