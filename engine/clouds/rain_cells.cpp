@@ -40,7 +40,7 @@ bool RainCells::update(const CloudView& view) {
   rain_.clear();
   if (!raining) return true;
   if (patterns_.empty()) patterns_ = make_weather_noise(CloudNoise::kWeatherTexels);
-  period_ = WeatherMap::kPeriod * view.parameters.scale;
+  period_ = kWeatherPeriod * view.parameters.scale;
   const WeatherOffsets offsets = weather_offsets(view.seed, time);
   rain_.reserve(static_cast<std::size_t>(kSize) * kSize);
   float most = 0.0f;

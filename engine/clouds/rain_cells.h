@@ -1,10 +1,10 @@
 #pragma once
-#include <glm/vec3.hpp>
+#include <glm/vec2.hpp>
 
 #include <cstdint>
 #include <vector>
 
-#include "engine/clouds/cloud_field.h"
+#include "engine/clouds/cloud_view.h"
 
 namespace offing {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "engine/clouds/cloud_field.h"
+#include "engine/clouds/cloud_view.h"
 #include "game/world/scene.h"
 
 namespace offing {
