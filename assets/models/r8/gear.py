@@ -74,21 +74,21 @@ def make_ventilators(node, roof):
         radii.insert(0, 0.046)
         path.append(add(path[-1], (0.0, 0.0, -0.03)))
         radii.append(0.088)
-        tube(gel, path, radii, sides=18, caps=False)
+        tube(gel, path, radii, sides=14, caps=False)
         inside = list(reversed(path[3:]))  # red within, seen from ahead
-        tube(node.part("antifouling"), inside, [r - 0.004 for r in reversed(radii[3:])], sides=18, caps=True)
+        tube(node.part("antifouling"), inside, [r - 0.004 for r in reversed(radii[3:])], sides=14, caps=True)
         lathe(steel, add(foot, (0.0, 0.085, -0.03)), [(0.058, 0.0), (0.058, 0.012), (0.046, 0.016)], 18)
 
 
 def coil(part, centre, radius, turns, thickness=0.007):
     """A rope made up flat, as it lies on a deck."""
     path = []
-    for k in range(turns * 16 + 1):
-        a = 2 * math.pi * k / 16
-        r = radius - 0.9 * thickness * (k / 16)
+    for k in range(turns * 11 + 1):
+        a = 2 * math.pi * k / 11
+        r = radius - 0.9 * thickness * (k / 11)
         wobble = 0.006 * math.sin(2.3 * a)
         path.append(add(centre, (r * math.cos(a) + wobble, thickness + 0.0025 * math.sin(5.0 * a), 1.15 * r * math.sin(a))))
-    tube(part, path, thickness, sides=6)
+    tube(part, path, thickness, sides=4)
 
 
 def make_ropes(node, deck_y, roof):
@@ -97,8 +97,8 @@ def make_ropes(node, deck_y, roof):
     for side in (-1, 1):
         for k, x in enumerate((0.36, 0.395, 0.43)):
             path = [roof_at(roof, side * lerp(0.10 + 0.02 * k, x, smooth_part(z)), z)
-                    for z in (lerp(-0.46, 0.50, i / 10) for i in range(11))]
-            tube(rope, [add(p, (0.0, 0.012, 0.0)) for p in path], 0.005, sides=6)
+                    for z in (lerp(-0.46, 0.50, i / 5) for i in range(6))]
+            tube(rope, [add(p, (0.0, 0.012, 0.0)) for p in path], 0.005, sides=4)
         at = roof_at(roof, side * 0.395, 0.46)
         box(black, add(at, (-0.065, 0.0, -0.06)), add(at, (0.065, 0.045, 0.06)))
         for dx in (-0.035, 0.0, 0.035):  # their levers
@@ -120,7 +120,7 @@ def make_lifebuoy(node):
         a = math.pi * (0.5 + 1.64 * (k / 20 - 0.5)) + math.pi
         path.append((-0.98 + 0.0, 1.22 + 0.20 * math.sin(a) * 1.2, 3.24 + 0.20 * math.cos(a)))
     path = [add(p, (-0.02, 0.0, 0.0)) for p in path]
-    tube(node.part("yellow"), path, [0.042] + [0.052] * 19 + [0.042], sides=12)
+    tube(node.part("yellow"), path, [0.042] + [0.052] * 19 + [0.042], sides=8)
     for k in (4, 10, 16):
         a, b = path[k], path[k + 1]
         way = scale(unit(sub(b, a)), 0.03)

@@ -361,10 +361,10 @@ def make_fittings(node):
             (0.055, 0.132), (0.02, 0.135), (0.02, 0.142), (0.0, 0.142)]
     for side in (-1, 1):
         at = (side * 0.90, deck_y(0.90, 1.75), 1.75)
-        lathe(black, at, [(0.088, -0.01), (0.080, 0.055), (0.0, 0.055)], 28)
-        lathe(steel, add(at, (0, 0.055, 0)), drum, 28)
+        lathe(black, at, [(0.088, -0.01), (0.080, 0.055), (0.0, 0.055)], 18)
+        lathe(steel, add(at, (0, 0.055, 0)), drum, 18)
         at = roof(0.62, math.pi / 2 - side * 0.42)
-        lathe(steel, (side * 0.42, at[1] - 0.004, 0.62), [(r * 0.72, h * 0.8) for r, h in drum], 24)
+        lathe(steel, (side * 0.42, at[1] - 0.004, 0.62), [(r * 0.72, h * 0.8) for r, h in drum], 14)
         # Mooring cleats.
         for z in (-3.05, 3.66):
             x = half_beam(deck_t(z)) - 0.13
@@ -394,17 +394,17 @@ def make_rails(node):
         a = math.pi * (k / 16)
         x, z = 0.42 * math.cos(a), -3.02 - 1.0 * math.sin(a) ** 0.8
         hoop.append((x, 1.56 + 0.05 * math.sin(a), z))
-    tube(steel, hoop, 0.0125, sides=10)
+    tube(steel, hoop, 0.0125, sides=8)
     for side in (-1, 1):
         for foot_z, top in ((-3.02, (0.42, 1.56, -3.02)), (-3.62, (0.30, 1.59, -3.72))):
             x = edge(foot_z)
             tube(steel, [(side * x, sheer(deck_t(foot_z)), foot_z), (side * top[0], top[1], top[2])],
-                 0.0125, sides=10)
+                 0.0125, sides=8)
         # Stanchions with two lifelines.
         tops, mids = [(side * 0.42, 1.55, -3.02)], [(side * (edge(-3.02) * 0.5 + 0.21), 1.26, -3.02)]
         for z in (-1.75, -0.45, 0.85, 2.15):
             x, y = edge(z), sheer(deck_t(z))
-            tube(steel, [(side * x, y, z), (side * (x - 0.01), y + 0.60, z)], 0.0115, sides=10)
+            tube(steel, [(side * x, y, z), (side * (x - 0.01), y + 0.60, z)], 0.0115, sides=8)
             lathe(steel, (side * x, y, z), [(0.024, 0.0), (0.018, 0.05), (0.012, 0.055)], 8)
             tops.append((side * (x - 0.01), y + 0.59, z))
             mids.append((side * x, y + 0.30, z))
@@ -422,13 +422,13 @@ def make_rails(node):
         path.append((0.34, gate[2] + 0.60, 3.74))
         path += [(0.30, gate[2] + 0.56, 3.745), (0.30, gate[2], 3.74)]
         path = [(side * x, y, z) for x, y, z in path]
-        tube(steel, path, 0.0125, sides=10)
+        tube(steel, path, 0.0125, sides=8)
         middle = [(x, y - 0.30, z) for x, y, z in path[:-2]]
         tube(steel, middle, 0.009, sides=6)
         for z in (gate[0], 3.56):
             x = edge(z)
             tube(steel, [(side * x, sheer(deck_t(z)), z), (side * (x - 0.01), gate[2] + 0.60, z)], 0.0125,
-                 sides=10)
+                 sides=8)
         name = "light_port" if side < 0 else "light_starboard"
         lathe(node.part(name), (side * 0.325, 1.605, -3.66), [(0.028, 0.0), (0.030, 0.05), (0.0, 0.062)], 10)
     lathe(node.part("light_stern"), (-0.40, 1.47, 3.74), [(0.026, 0.0), (0.028, 0.05), (0.0, 0.06)], 10)
@@ -609,7 +609,7 @@ def make_rudder(node):
     rows = [(root + 0.0, -0.13, 0.47), (root - 0.3, -0.12, 0.45), (root - 0.7, -0.10, 0.40),
             (root - 0.95, -0.085, 0.34)]
     foil(part, rows, 0.13)
-    tube(node.part("steel"), [(0, root - 0.2, 0), (0, 0.74, 0)], 0.022, sides=10)
+    tube(node.part("steel"), [(0, root - 0.2, 0), (0, 0.74, 0)], 0.022, sides=8)
 
 
 WHEEL = (0.0, 1.02, 2.34)  # its hub, on the pedestal's after side
