@@ -36,21 +36,21 @@ def make_anchor(node, deck_y):
     """A plough in its roller at the stem, and its cleat."""
     zinc, black = node.part("zinc"), node.part("black")
     y = deck_y(0.0, -3.6)
-    box(node.part("steel"), (0.05, y - 0.01, -4.12), (0.062, y + 0.10, -3.62))
-    box(node.part("steel"), (0.148, y - 0.01, -4.12), (0.16, y + 0.10, -3.62))
-    tube(black, [(0.062, y + 0.04, -4.06), (0.148, y + 0.04, -4.06)], 0.038, sides=14)
-    shank = [(0.105, y + 0.10, -3.40), (0.105, y + 0.115, -3.75), (0.105, y + 0.105, -4.08),
+    box(node.part("steel"), (0.05, y - 0.01, -4.07), (0.062, y + 0.06, -3.78))
+    box(node.part("steel"), (0.148, y - 0.01, -4.07), (0.16, y + 0.06, -3.78))
+    tube(black, [(0.062, y + 0.03, -4.05), (0.148, y + 0.03, -4.05)], 0.034, sides=14)
+    shank = [(0.105, y + 0.08, -3.45), (0.105, y + 0.09, -3.75), (0.105, y + 0.08, -4.08),
              (0.105, y + 0.02, -4.24), (0.105, y - 0.12, -4.27)]
     sweep(zinc, shank, [(-0.011, -0.022), (0.011, -0.022), (0.011, 0.022), (-0.011, 0.022)],
           up=(0.0, 0.6, -0.8), fixed_up=False)
     tip, heel = (0.105, y - 0.10, -3.93), (0.105, y - 0.16, -4.28)
     for side in (-1, 1):  # the two blades of the plough
-        wing = add(heel, (side * 0.13, 0.09, 0.03))
+        wing = add(heel, (side * 0.10, 0.07, 0.03))
         rows = [(tip, tip), (heel, wing)]
         for lift in (0.0, 0.006):
             part = [add(p, (0.0, lift, 0.0)) for p in (rows[0][0], rows[1][1], rows[1][0])]
             triangle(zinc, part if (side > 0) == (lift > 0) else list(reversed(part)))
-    ring = [(0.105 + 0.025 * math.cos(a), y + 0.10, -3.385 + 0.025 * math.sin(a))
+    ring = [(0.105 + 0.025 * math.cos(a), y + 0.08, -3.435 + 0.025 * math.sin(a))
             for a in (2 * math.pi * k / 10 for k in range(11))]
     tube(zinc, ring, 0.006, sides=6, caps=False)
 
