@@ -1,9 +1,10 @@
 // Shafts: air in the shadow of a cloud scatters less. The picture's air (AirLight) is that of a clear sky;
-// what the clouds keep from it is taken away again, never more than that air has given. Needs
-// clouds/shadow.glsl, clouds/air.glsl and the includer's uniforms before it.
+// what the clouds keep from it is taken away again, as a share of what is seen: of that the air has given
+// about its own opacity. So light is only removed, and never more than there is. Needs clouds/shadow.glsl,
+// clouds/air.glsl and the includer's uniforms before it.
 
-// Radiance (cd/m^2) that the air before the picture lacks along `span`.
-vec3 shaft_missing(vec3 direction, CloudSpan span, bool to_sea, float jitter) {
+// Share of the picture's light that is missing along `span`.
+float shaft_missing(vec3 direction, CloudSpan span, float jitter) {
   float far = min(span.far, span.near + kShaftReach);
   vec3 toward = clouds.light_direction.xyz;
   bool by_day = frame.sun_illuminance.g >= frame.moon_illuminance.g;
@@ -38,7 +39,6 @@ vec3 shaft_missing(vec3 direction, CloudSpan span, bool to_sea, float jitter) {
   kept_all /= weights;
   vec3 share = clamp(straight * (1.0 - kept_beam) - spread * max(kept_all - kept_beam, 0.0), vec3(0.0),
                      vec3(1.0));
-  vec3 given = to_sea ? air_light(direction, far).inscattered - air_light(direction, span.near).inscattered
-                      : cloud_air(direction, far, cloud_altitude(direction * far)).inscattered;
-  return amount.x * share * max(given, vec3(0.0));
+  vec3 air = cloud_air(direction, far, cloud_altitude(direction * far)).transmittance;
+  return amount.x * share.g * (1.0 - air.g);
 }
