@@ -7,7 +7,11 @@ const float kFoamEven = 1.702 * 3.4641016;  // over the deviation of an even dis
 
 vec2 sea_foam_layer(vec2 q, float layer) {
   float known = min(layer, float(kFoamLayers - 1));
-  vec2 at = ocean.foam_map[int(known)].xy + q * ocean.foam_map[int(known)].z;
+  // From the widest layer, whose width is a power of four times theirs. (Not by index: a CPU renderer reads
+  // an array that pixels index each for itself one by one.)
+  const int kWidest = kFoamLayers - 1;
+  vec2 at = exp2(2.0 * (float(kWidest) - known)) *
+            (ocean.foam_map[kWidest].xy + q * ocean.foam_map[kWidest].z);
   vec2 share = textureLod(foam_map, vec3(at, known), 0.0).xy;
   return layer < float(kFoamLayers) ? share : ocean.foam_share.x * vec2(1.0, 0.15);
 }
