@@ -12,7 +12,7 @@ enum class ToneCurve { kFilmic, kExponential };
 
 /// Up to this exposure what rods add is less than half a step of an 8-bit display, even where the
 /// picture is shown four times as bright: night sight is left out.
-inline constexpr double kFirstNight = 1.5e-4;
+inline constexpr double kFirstNight = 1.2e-4;
 
 struct TonemapSettings {
   ToneCurve curve = ToneCurve::kFilmic;
