@@ -17,6 +17,9 @@
 #ifndef SHADOW_MAP  // 0: light steps alone
 #define SHADOW_MAP 1
 #endif
+#ifndef PIXEL_ANGLE  // radians that one ray stands for
+#define PIXEL_ANGLE frame.camera.w
+#endif
 const float kLeast = LEAST;  // transmittance at which a ray has seen all that shows
 
 struct CloudSight {
@@ -61,6 +64,9 @@ CloudRay cloud_ray(vec3 direction, float near) {
   }
   ray.g = clamp(ray.g * lobes.w, 0.0, 0.9);
   ray.phase = mix(0.25 / kPhasePi, ray.phase, lobes.w);
+#ifdef WIDE_PHASE  // where texels are wider than the forward peak its light is spread out, not lost
+  ray.phase = henyey_greenstein(min(ray.g, 0.7), ray.cosine);
+#endif
   ray.blurred = henyey_greenstein(pow(ray.g, kForwardBlur), ray.cosine);
   return ray;
 }
@@ -130,7 +136,7 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
   sight.radiance = vec3(0.0);
   sight.transmittance = 1.0;
   float weight = 0.0, weighted = 0.0;
-  float pixel = frame.camera.w;
+  float pixel = PIXEL_ANGLE;
   float t = near;
   float before = -1.0;      // the signed field at the last sample
   float step_length = max(FINEST, GROWTH * t) * clouds.march.x;
