@@ -50,7 +50,8 @@ std::uint64_t hash_direction(const glm::dvec3& d, double step) {
 }  // namespace
 
 ProbeSettings ProbeSettings::of_quality(int quality) {
-  constexpr ProbeSettings kQualities[] = {{96, 64, 8}, {96, 96, 8}, {128, 96, 8}, {128, 128, 8}};
+  constexpr ProbeSettings kQualities[] = {
+      {96, 64, 16}, {96, 96, 16}, {128, 96, 16}, {128, 128, 16}};
   return kQualities[std::clamp(quality, 0, 3)];
 }
 

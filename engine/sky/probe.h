@@ -32,7 +32,7 @@ struct ProbeClouds {
 struct ProbeSettings {
   int size = 96;     ///< texels per side of each half of level 0; a multiple of 32
   int samples = 48;  ///< directions from which a texel of a glossy level gathers its light
-  int slices = 8;    ///< frames over which a refresh is spread, 1 or more
+  int slices = 16;   ///< frames over which a refresh is spread, 1 or more
 
   /// 0 low to 3 ultra.
   static ProbeSettings of_quality(int quality);
