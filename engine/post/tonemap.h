@@ -28,8 +28,9 @@ class Tonemap {
  public:
   explicit Tonemap(ShaderLibrary& shaders);
 
-  /// `out`: an RGBA8 picture of the same size. NaN and infinite pixels become black, and are counted. `exposure`: of
-  /// Exposure::add(); without one the picture's own exposure is shown. `glow`: of Bloom::add().
+  /// `out`: an RGBA8 picture of the same size. NaN and infinite pixels become black, and are
+  /// counted. `exposure`: of Exposure::add(); without one the picture's own exposure is shown.
+  /// `glow`: of Bloom::add().
   void add(FrameGraph& graph, TextureId hdr, TextureId out, const TonemapSettings& settings,
            BufferId exposure = {}, TextureId glow = {});
 
