@@ -9,7 +9,7 @@
 namespace offing {
 
 /// Where it rains, known to the CPU: a coarse twin of the weather map's rain, for the wind that
-/// comes down with it and for lightning. A picture of the user's rains only on the GPU.
+/// comes down with it. A picture of the user's rains only on the GPU.
 class RainCells {
  public:
   static constexpr int kSize = 128;      ///< cells a side of one period of the weather
