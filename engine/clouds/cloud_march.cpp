@@ -46,7 +46,7 @@ glm::ivec2 pixel_of_turn(glm::ivec2 cell, int turn) {
 
 ShaderDefines march_defines(const CloudQuality& quality) {
   ShaderDefines defines = {{"STEPS", std::to_string(quality.steps)},
-                           {"PIXEL", fmt::format("{}.0", quality.scale)},
+                           {"PIXEL_ANGLE", fmt::format("({}.0 * frame.camera.w)", quality.scale)},
                            {"SKIPS", "24"},
                            {"FINEST", fmt::format("{:.4f}", quality.finest)},
                            {"GROWTH", fmt::format("{:.5f}", quality.growth)},

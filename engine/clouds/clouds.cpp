@@ -3,7 +3,10 @@
 namespace offing {
 
 Cloudscape::Cloudscape(ShaderLibrary& shaders, int quality)
-    : field_(shaders), shadow_(shaders), march_(shaders, CloudQuality::of(quality)) {}
+    : field_(shaders),
+      shadow_(shaders),
+      map_(shaders, CloudMapSettings::of_quality(quality)),
+      march_(shaders, CloudQuality::of(quality)) {}
 
 CloudscapeIds Cloudscape::add_field(FrameGraph& graph, const CloudView& view,
                                     const SkyLight& light) {
@@ -12,7 +15,15 @@ CloudscapeIds Cloudscape::add_field(FrameGraph& graph, const CloudView& view,
   CloudscapeIds ids;
   ids.field = field_.add(graph, view, data);
   ids.shadow = shadow_.add(graph, field_, ids.field, view);
+  ids.data = data;
   return ids;
+}
+
+std::optional<ProbeClouds> Cloudscape::add_map(FrameGraph& graph, const CloudscapeIds& ids,
+                                               const CloudView& view, const SkyLight& light,
+                                               const Sky& sky, const SkyIds& sky_ids) {
+  return map_.add(graph, field_, ids.field, sky, sky_ids, shadow_, ids.shadow, view, light,
+                  ids.data);
 }
 
 void Cloudscape::add_picture(FrameGraph& graph, const CloudscapeIds& ids, const CloudView& view,

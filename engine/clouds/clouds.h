@@ -1,5 +1,8 @@
 #pragma once
+#include <optional>
+
 #include "engine/clouds/cloud_field.h"
+#include "engine/clouds/cloud_map.h"
 #include "engine/clouds/cloud_march.h"
 #include "engine/clouds/cloud_shadow.h"
 #include "engine/sky/sky.h"
@@ -10,6 +13,7 @@ namespace offing {
 struct CloudscapeIds {
   CloudIds field;
   CloudShadowIds shadow;
+  shared::CloudData data{};  ///< what the field's block holds
 };
 
 /// All the clouds: what they are made of, the shadow they throw, and their picture.
@@ -20,6 +24,10 @@ class Cloudscape {
 
   /// Brings field and shadow up to date, as far as anybody reads them.
   CloudscapeIds add_field(FrameGraph& graph, const CloudView& view, const SkyLight& light);
+  /// The clouds as the probe takes them in; nothing where there are none.
+  std::optional<ProbeClouds> add_map(FrameGraph& graph, const CloudscapeIds& ids,
+                                     const CloudView& view, const SkyLight& light, const Sky& sky,
+                                     const SkyIds& sky_ids);
   /// Draws the clouds over what stands in `hdr` behind them, the sky included. `sky_visible`:
   /// whether the picture shows anything above the horizon.
   void add_picture(FrameGraph& graph, const CloudscapeIds& ids, const CloudView& view,
@@ -34,6 +42,7 @@ class Cloudscape {
  private:
   CloudField field_;
   CloudShadow shadow_;
+  CloudMap map_;
   CloudMarch march_;
 };
 

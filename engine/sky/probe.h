@@ -22,7 +22,7 @@ struct ProbeIds {
 };
 
 /// Clouds as the probe takes them in: a hemi-octahedral map of the upper half of the sky as seen
-/// from the boat (place of a direction: cloud_map_units() in shaders/sky/probe_source.glsl). rgb:
+/// from the boat (place of a direction: cloud_map_units() in shaders/lib/cloud_map.glsl). rgb:
 /// radiance in cd/m^2, not multiplied by the exposure; a: share of the sky behind that shows.
 struct ProbeClouds {
   TextureId map;

@@ -82,7 +82,7 @@ dvec3 Panorama::level_illuminance() const {
 }
 
 Panorama sky_panorama(ShaderLibrary& shaders, FrameGraph& graph, Sky& sky, const SkyLight& light,
-                      double wind_speed, int width, int height) {
+                      double wind_speed, int width, int height, const AddClouds& add_clouds) {
   const ShaderProgram& program = shaders.program({"sky/export.comp"});
   shared::FrameData frame{};
   light.fill(frame);
@@ -93,21 +93,30 @@ Panorama sky_panorama(ShaderLibrary& shaders, FrameGraph& graph, Sky& sky, const
   Panorama panorama{width, height, {}};
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   const gl::Buffer picture("panorama", count * sizeof(glm::vec4));
+  const gl::Sampler linear("panorama clouds", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE,
+                           GL_CLAMP_TO_EDGE);
+  block.bind_uniform(OFFING_BIND_FRAME);
   graph.begin_frame();
   const SkyIds ids = sky.add_tables(graph, light);
+  const std::optional<ProbeClouds> clouds =
+      add_clouds ? add_clouds(graph, ids) : std::optional<ProbeClouds>();
   graph.add(
       "sky.panorama",
       [&](PassBuilder& pass) {
         ids.read_by(pass);
+        if (clouds) pass.read(clouds->map);
         pass.side_effect();
       },
       [&](const PassContext& context) {
-        block.bind_uniform(OFFING_BIND_FRAME);
         sky.bind(context, ids);
+        if (clouds) {
+          context.texture(clouds->map).bind(OFFING_UNIT_CLOUD_MAP);
+          linear.bind(OFFING_UNIT_CLOUD_MAP);
+        }
         picture.bind_storage(0);
         program.use();
         program.program().set(0, glm::ivec2(width, height));
-        program.program().set(4, 0);
+        program.program().set(4, clouds ? 1 : 0);
         glDispatchCompute(static_cast<GLuint>((width + 15) / 16),
                           static_cast<GLuint>((height + 3) / 4), 1);
         glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);

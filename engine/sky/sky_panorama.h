@@ -1,9 +1,12 @@
 #pragma once
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/graph/frame_graph.h"
 #include "engine/shader/shader_library.h"
+#include "engine/sky/probe.h"
 #include "engine/sky/sky.h"
 #include "engine/sky/stars.h"
 
@@ -26,10 +29,13 @@ struct Panorama {
   glm::dvec3 level_illuminance() const;
 };
 
-/// The sky without discs and stars, and below the horizon a mean sea. Computes and waits: for
-/// exports and tests. FrameData of `light` is bound on the way.
+/// Adds the passes that make a map of the clouds; nothing where there are none.
+using AddClouds = std::function<std::optional<ProbeClouds>(FrameGraph&, const SkyIds&)>;
+
+/// The sky without discs and stars, with what clouds `add_clouds` gives, and below the horizon a
+/// mean sea. Computes and waits: for exports and tests. FrameData of `light` is bound on the way.
 Panorama sky_panorama(ShaderLibrary& shaders, FrameGraph& graph, Sky& sky, const SkyLight& light,
-                      double wind_speed, int width, int height);
+                      double wind_speed, int width, int height, const AddClouds& add_clouds = {});
 
 /// Adds sun and moon: each pixel gets what of the disc lies in it, so that their light on a surface
 /// is SkyLight's however coarse the picture is. The moon's disc is even.

@@ -4,8 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
+#include <utility>
+#include <vector>
 
 #include "engine/core/paths.h"
 #include "engine/gl/debug.h"
@@ -36,60 +40,135 @@ int gl_objects() {
   return count;
 }
 
+/// What one moment of a sea held.
+struct Moment {
+  long not_finite = 0;    ///< values of maps, foam and queries
+  double highest = 0.0;   ///< |height|, m
+  double steepest = 0.0;  ///< |slope|, of one cascade
+};
+
+/// A sea that is put into every state there is, and asked for everything it makes.
+class StressedSea {
+ public:
+  StressedSea()
+      : shaders_(data_root() / "shaders"),
+        graph_(device_),
+        ocean_(shaders_, {.cascades = 3, .size = 64, .foam_size = 64}) {}
+
+  void set(const RandomSea& sea, int number) {
+    ocean_.set_sea(sea.state, sea.environment, static_cast<std::uint64_t>(number));
+  }
+
+  Moment look(double time) {
+    graph_.begin_frame();
+    const SeaIds ids = ocean_.add_maps(graph_, time);
+    OceanView view;
+    view.eye = {1e6, -3e5};
+    view.time = time;
+    const TextureId foam = ocean_.add_foam(graph_, view, ids, true);
+    graph_.add(
+        "stress.reader",
+        [&](PassBuilder& pass) {
+          pass.read(ids.displacement).read(ids.slopes).read(foam).side_effect();
+        },
+        [](PassContext&) {});
+    graph_.execute();
+    ocean_.collect();
+    Moment moment;
+    for (const int level : {0, 5}) {
+      const auto displacement = ocean_.maps().displacement().read_floats(4, level);
+      const auto slopes = ocean_.maps().slopes().read_floats(4, level);
+      for (std::size_t i = 0; i < displacement.size(); ++i) {
+        if (!std::isfinite(displacement[i])) ++moment.not_finite;
+        if (!std::isfinite(slopes[i])) ++moment.not_finite;
+        const double slope = std::abs(static_cast<double>(slopes[i]));
+        if (i % 4 < 2) moment.steepest = std::max(moment.steepest, slope);
+      }
+    }
+    for (const float value : ocean_.foam().map().read_floats(2)) {
+      if (!std::isfinite(value)) ++moment.not_finite;
+    }
+    ocean_.water().sample(kPlaces, time, samples_);
+    for (const WaterSample& sample : samples_) {
+      if (!std::isfinite(sample.height + sample.normal.y + sample.velocity.x + sample.velocity.y))
+        ++moment.not_finite;
+      moment.highest = std::max(moment.highest, std::abs(sample.height));
+    }
+    return moment;
+  }
+
+ private:
+  static constexpr std::array<glm::dvec2, 3> kPlaces = {{{0.0, 0.0}, {1e6, -3e5}, {17.0, 23.0}}};
+  ShaderLibrary shaders_;
+  GlDevice device_;
+  FrameGraph graph_;
+  Ocean ocean_;
+  std::vector<WaterSample> samples_ = std::vector<WaterSample>(kPlaces.size());
+};
+
+/// What grew in the second half of a run.
+class Growth {
+ public:
+  void half() { memory_ = resident_mib(), objects_ = gl_objects(); }
+  double memory_mib() const { return resident_mib() - memory_; }
+  int objects() const { return gl_objects() - objects_; }
+
+ private:
+  double memory_ = 0.0;
+  int objects_ = 0;
+};
+
 }  // namespace
 
-// Random sea states, --frames of them: every number finite, no message of the driver, nothing
-// grows.
+// Random sea states, --frames of them, then an hour of the tallest and of the steepest of them, two
+// steps a second: every number finite, no message of the driver, nothing grows.
 void bench_stress(const Options& options) {
   const HeadlessContext context;
   gl::require_opengl_45();
   gl::DebugLog log;
-  ShaderLibrary shaders(data_root() / "shaders");
-  GlDevice device;
-  FrameGraph graph(device);
-  Ocean ocean(shaders, {.cascades = 3, .size = 64});
-  const std::vector<glm::dvec2> places = {{0.0, 0.0}, {1e6, -3e5}, {17.0, 23.0}};
-  std::vector<WaterSample> samples(places.size());
-  long bad_maps = 0, bad_samples = 0;
-  double highest = 0.0, memory = 0.0;
-  int objects = 0;
+  StressedSea stressed;
+  const int seed = options.seed.value_or(1);
+
+  Moment all;
+  int tallest = 0, steepest = 0;
+  Growth growth;
   for (int i = 0; i < options.frames; ++i) {
-    const RandomSea sea = random_sea(options.seed.value_or(1), i);
-    ocean.set_sea(sea.state, sea.environment, static_cast<std::uint64_t>(i));
-    graph.begin_frame();
-    const SeaIds ids = ocean.add_maps(graph, sea.time);
-    graph.add(
-        "stress.reader",
-        [&](PassBuilder& pass) { pass.read(ids.displacement).read(ids.slopes).side_effect(); },
-        [](PassContext&) {});
-    graph.execute();
-    ocean.collect();
-    for (const gl::Texture* map : {&ocean.maps().displacement(), &ocean.maps().slopes()}) {
-      for (const int level : {0, 5}) {
-        for (const float value : map->read_floats(4, level)) {
-          if (!std::isfinite(value)) ++bad_maps;
-        }
-      }
-    }
-    ocean.water().sample(places, sea.time, samples);
-    for (const WaterSample& sample : samples) {
-      if (!std::isfinite(sample.height + sample.normal.y + sample.velocity.x + sample.velocity.y))
-        ++bad_samples;
-      highest = std::max(highest, std::abs(sample.height));
-    }
-    if (i == options.frames / 2) {
-      memory = resident_mib();
-      objects = gl_objects();
-    }
+    if (i == options.frames / 2) growth.half();
+    const RandomSea sea = random_sea(seed, i);
+    stressed.set(sea, i);
+    const Moment moment = stressed.look(sea.time);
+    all.not_finite += moment.not_finite;
+    if (moment.highest > all.highest) all.highest = moment.highest, tallest = i;
+    if (moment.steepest > all.steepest) all.steepest = moment.steepest, steepest = i;
   }
-  const nlohmann::ordered_json json = {
-      {"states", options.frames},
-      {"values_not_finite", bad_maps},
-      {"samples_not_finite", bad_samples},
-      {"gl_messages", log.messages().size()},
-      {"highest_water_m", highest},
-      {"memory_growth_of_second_half_mib", resident_mib() - memory},
-      {"gl_object_growth_of_second_half", gl_objects() - objects}};
+  nlohmann::ordered_json json = {{"states", options.frames},
+                                 {"values_not_finite", all.not_finite},
+                                 {"highest_water_m", all.highest},
+                                 {"steepest_slope", all.steepest},
+                                 {"memory_growth_of_second_half_mib", growth.memory_mib()},
+                                 {"gl_object_growth_of_second_half", growth.objects()}};
+
+  for (const auto& [name, number] :
+       {std::pair{"hour_of_the_tallest", tallest}, std::pair{"hour_of_the_steepest", steepest}}) {
+    const RandomSea sea = random_sea(seed, number);
+    stressed.set(sea, number);
+    constexpr int kSteps = 7200;
+    Moment hour;
+    for (int step = 0; step < kSteps; ++step) {
+      if (step == kSteps / 2) growth.half();
+      const Moment moment = stressed.look(sea.time + 0.5 * step);
+      hour.not_finite += moment.not_finite;
+      hour.highest = std::max(hour.highest, moment.highest);
+      hour.steepest = std::max(hour.steepest, moment.steepest);
+    }
+    json[name] = {{"state", number},
+                  {"values_not_finite", hour.not_finite},
+                  {"highest_water_m", hour.highest},
+                  {"steepest_slope", hour.steepest},
+                  {"memory_growth_of_second_half_mib", growth.memory_mib()},
+                  {"gl_object_growth_of_second_half", growth.objects()}};
+  }
+  json["gl_messages"] = log.messages().size();
   deliver_report(options, json.dump(2) + "\n");
 }
 

@@ -1,3 +1,4 @@
+#include "engine/clouds/cloud_map.h"
 #include "engine/core/error.h"
 #include "engine/core/paths.h"
 #include "engine/graph/gl_device.h"
@@ -5,12 +6,20 @@
 #include "engine/platform/headless_context.h"
 #include "engine/sky/sky_panorama.h"
 #include "game/export/exports.h"
+#include "game/frame/frame_view.h"
 #include "game/frame/quality.h"
 
 namespace offing {
 
-// The clear sky above the scene's place and time, as seen from where its free camera stands, or
-// from the boat.
+namespace {
+
+// Finer than the probe's: the picture has more pixels.
+constexpr CloudMapSettings kCloudMap = {.size = 256, .slices = 1, .steps = 96, .light_steps = 4};
+
+}  // namespace
+
+// The sky with its clouds above the scene's place and time, as seen from where its free camera
+// stands, or from the boat.
 void export_sky(const Scene& scene, const Options& options) {
   check_image_name(options.out);
   const glm::ivec2 size = options.size.value_or(glm::ivec2(1024, 512));
@@ -27,8 +36,19 @@ void export_sky(const Scene& scene, const Options& options) {
   SkyLightModel model(Starlight(stars, load_milky_way(milky_way_file())));
   const Environment& environment = scene.environment;
   const SkyLight& light = model.update(environment.celestial(), environment.haze, height);
+  CloudField field(shaders);
+  CloudShadow shadow(shaders);
+  CloudMap map(shaders, kCloudMap);
+  const CloudView clouds = cloud_view(scene, environment, {0.0, height, 0.0});
+  const auto add_clouds = [&](FrameGraph& frame, const SkyIds& sky_ids) {
+    shared::CloudData data = cloud_data(clouds, light);
+    shadow.plan(clouds, data);
+    const CloudIds ids = field.add(frame, clouds, data);
+    const CloudShadowIds shadow_ids = shadow.add(frame, field, ids, clouds);
+    return map.add(frame, field, ids, sky, sky_ids, shadow, shadow_ids, clouds, light, data);
+  };
   Panorama panorama =
-      sky_panorama(shaders, graph, sky, light, environment.wind.speed, size.x, size.y);
+      sky_panorama(shaders, graph, sky, light, environment.wind.speed, size.x, size.y, add_clouds);
   if (!options.no_discs) {
     add_discs(panorama, light);
     add_stars(panorama, light, stars);

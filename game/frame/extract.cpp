@@ -38,20 +38,6 @@ BoatView boat_view(const World& world, glm::dvec3 camera, const SkyLight& light)
   return view;
 }
 
-CloudView cloud_view(const World& world, glm::dvec3 camera) {
-  const Environment& environment = world.environment();
-  CloudView view;
-  view.weather = environment.clouds;
-  view.drift = environment.air_drift();
-  view.wind_to = environment.wind_to();
-  view.wind_speed = environment.wind.speed;
-  view.elapsed = environment.elapsed();
-  view.eye = camera;
-  view.seed = static_cast<std::uint64_t>(world.scene().seed);
-  view.parameters = world.scene().clouds;
-  return view;
-}
-
 /// The clouds that are drawn as Gardner did, which the volumetric ones then leave out.
 GardnerView gardner_view(const World& world, CloudView& clouds, bool sky_visible) {
   constexpr double kHigh = 8200.0;  // m
@@ -105,6 +91,19 @@ bool sea_in_view(const glm::mat4& relative_from_clip, double camera_height) {
 
 }  // namespace
 
+CloudView cloud_view(const Scene& scene, const Environment& environment, glm::dvec3 eye) {
+  CloudView view;
+  view.weather = environment.clouds;
+  view.drift = environment.air_drift();
+  view.wind_to = environment.wind_to();
+  view.wind_speed = environment.wind.speed;
+  view.elapsed = environment.elapsed();
+  view.eye = eye;
+  view.seed = static_cast<std::uint64_t>(scene.seed);
+  view.parameters = scene.clouds;
+  return view;
+}
+
 Extractor::Extractor()
     : light_(Starlight(load_stars(star_file()), load_milky_way(milky_way_file()))) {}
 
@@ -135,7 +134,7 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
       paint(world.scene(),
             light_.update(environment.celestial(), environment.haze, pose.position.y,
                           underwater_exposure_ev(world.scene().sea.clarity_m, world.eye_depth())));
-  view.clouds = cloud_view(world, pose.position);
+  view.clouds = cloud_view(world.scene(), world.environment(), pose.position);
   view.exposure = world.scene().exposure;
   view.boat = boat_view(world, pose.position, view.light);
   for (const Afloat& thing : world.flotsam()) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "engine/core/paths.h"
 #include "engine/io/model.h"
@@ -120,7 +121,9 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   add_begin(graph, view, t.frame_block, hdr, depth);
   const SkyIds sky = t.sky.add_tables(graph, view.light);
   const CloudscapeIds clouds = t.clouds.add_field(graph, view.clouds, view.light);
-  const ProbeIds probe = t.probe.add(graph, view.light, view.frame.wind.w, t.sky, sky);
+  const std::optional<ProbeClouds> cloud_map =
+      t.clouds.add_map(graph, clouds, view.clouds, view.light, t.sky, sky);
+  const ProbeIds probe = t.probe.add(graph, view.light, view.frame.wind.w, t.sky, sky, cloud_map);
   const LightAccess light = light_access(t, {sky, probe, clouds.shadow});
   const SeaIds sea = t.ocean.add_maps(graph, view.sea_time);
   const TextureId hull = t.boat.add_mask(graph, view.boat, view.frame);

@@ -43,6 +43,9 @@ struct FrameView {
   bool sea_visible = true, sky_visible = true;
 };
 
+/// The clouds of a scene in this environment, seen from `eye` (world, m).
+CloudView cloud_view(const Scene& scene, const Environment& environment, glm::dvec3 eye);
+
 /// Makes FrameViews. Holds only what is worth keeping of the sky's light from frame to frame.
 class Extractor {
  public:

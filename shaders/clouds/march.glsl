@@ -17,10 +17,10 @@
 #ifndef SHADOW_MAP  // 0: light steps alone
 #define SHADOW_MAP 1
 #endif
-const float kShows = 1.0e-3;   // share of the picture that is worth being lit
-#ifndef PIXEL  // width of a pixel over that of the screen's
-#define PIXEL 1.0
+#ifndef PIXEL_ANGLE  // radians that one ray stands for
+#define PIXEL_ANGLE frame.camera.w
 #endif
+const float kShows = 1.0e-3;  // share of the picture that is worth being lit
 const float kLeast = LEAST;  // transmittance at which a ray has seen all that shows
 
 struct CloudSight {
@@ -65,6 +65,9 @@ CloudRay cloud_ray(vec3 direction, float near) {
   }
   ray.g = clamp(ray.g * lobes.w, 0.0, 0.9);
   ray.phase = mix(0.25 / kPhasePi, ray.phase, lobes.w);
+#ifdef WIDE_PHASE  // where texels are wider than the forward peak its light is spread out, not lost
+  ray.phase = henyey_greenstein(min(ray.g, 0.7), ray.cosine);
+#endif
   ray.blurred = henyey_greenstein(pow(ray.g, kForwardBlur), ray.cosine);
   return ray;
 }
@@ -134,7 +137,7 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
   sight.radiance = vec3(0.0);
   sight.transmittance = 1.0;
   float weight = 0.0, weighted = 0.0;
-  float pixel = PIXEL * frame.camera.w;
+  float pixel = PIXEL_ANGLE;
   float t = near;
   float before = -1.0;      // the signed field at the last sample, and where that was
   float last = near;
@@ -143,7 +146,7 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
     // Through empty air cell by cell of the weather.
     vec3 p = ray.direction * t;
     for (int skip = 0; skip < SKIPS; ++skip) {
-      float clear = min(cloud_clear_way(p, ray.direction), REACH);
+      float clear = LONGEST_SKIP > 0.0 ? min(cloud_clear_way(p, ray.direction), REACH) : 0.0;
       if (clear <= 0.0 || t > far) break;
       before = -1.0;
       t += clear;

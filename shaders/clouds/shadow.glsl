@@ -27,11 +27,6 @@ float cloud_shadow_depth(vec3 relative) {
   return min(map.r, map.b * below) * cloud_shadow_known(at);
 }
 
-// Share of the brighter light's illuminance that reaches a point, relative to the camera. What comes
-// through a cloud scattered counts with what comes straight: beneath a thick one it is never night
-// (Eddington's transmittance, see lib/cloud_light.glsl; (1 - g) = 0.15 for droplets).
-float cloud_shadow(vec3 relative) {
-  float depth = cloud_shadow_depth(relative) * clouds.eye.z;
-  float scaled = 0.15 * depth;
-  return (5.0 - exp(-scaled)) / (4.0 + 3.0 * scaled);
-}
+// Share of the brighter light's illuminance that reaches a point, relative to the camera, as a beam. What
+// comes through a cloud scattered is in the probe, which sees the clouds (clouds/map.comp).
+float cloud_shadow(vec3 relative) { return exp(-cloud_shadow_depth(relative) * clouds.eye.z); }

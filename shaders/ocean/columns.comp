@@ -3,7 +3,7 @@
 //   H(k, t) = h0(k) exp(-i w t) + conj(h0(-k)) exp(i w t)
 // and, with displacement D = i u H, u = c coth(kh) k / |k| (c: choppiness), the real fields that are
 // packed in pairs, of like size:
-//   FIELDS 4, maps:     Dx + i Dz,  h + i S Dxz,  sx + i sz,  Dxx + i Dzz   (Dxz = dDx/dz, sx = dh/dx)
+//   FIELDS 4, maps:     Dx + i h,  Dz + i S Dxz,  sx + i sz,  Dxx + i Dzz   (Dxz = dDx/dz, sx = dh/dx)
 //   FIELDS 3, moments:  Dx + i Dz,  h + i dh/dt,  dDx/dt + i dDz/dt
 #include "lib/waves.glsl"
 #include "ocean/fft.glsl"
@@ -11,11 +11,11 @@ layout(local_size_x = kThreads) in;
 
 // h0 real, imaginary; frequency in turns per second as the sum of two floats. [cascade][x][z]
 layout(std430, binding = 0) readonly buffer Modes { vec4 modes[]; };
-layout(std430, binding = 2) writeonly buffer Work { vec2 work[]; };  // [cascade][field][z][stored x]
+layout(std430, binding = 2) writeonly buffer Work { double work[]; };  // [cascade][field][z][stored x]
 layout(std430, binding = 3) readonly buffer Grids { vec4 grids[]; };  // dk cos, dk sin, c, S
 layout(location = 0) uniform ivec2 time_bits;  // the sea's clock, a double
 
-shared vec2 amplitude[kLines * kStored];
+shared double amplitude[kLines * kStored];
 shared float sideways[kLines * kStored];  // |u| / |k|
 #if FIELDS == 3
 shared vec2 rates[kLines * kStored];
@@ -47,8 +47,8 @@ vec2 own_rate[kOwn];
 vec2 field_amplitude(int field, float shear, int own) {
   vec2 h = own_h[own], k = own_k[own], u = own_u[own];
 #if FIELDS == 4
-  return field == 0 ? times(vec2(-u.y, u.x), h)
-       : field == 1 ? times(vec2(1.0, -shear * k.y * u.x), h)
+  return field == 0 ? (1.0 + u.x) * times_i(h)
+       : field == 1 ? (u.y - shear * k.y * u.x) * times_i(h)
        : field == 2 ? times(vec2(-k.y, k.x), h)
                     : times(vec2(-k.x * u.x, -k.y * u.y), h);
 #else
@@ -77,7 +77,7 @@ void main() {
     float w = 2.0 * kWavePi * mode.z;
     vec2 indices = vec2(x < kPoints / 2 ? x : x - kPoints, z < kPoints / 2 ? z : z - kPoints);
     float k = length(grid.xy) * length(indices);
-    amplitude[i] = a + b;
+    amplitude[i] = one_word(a + b);
     sideways[i] = grid.z * wave_sideways(k, w) / max(k, 1.0e-10);
 #if FIELDS == 3
     rates[i] = w * vec2(a.y - b.y, b.x - a.x);  // -i w (a - b)
@@ -96,7 +96,7 @@ void main() {
     const int own = (n1) < kOwn ? (n1) : (n1) - kOwn; \
     float nz = float(n < kPoints / 2 ? n : n - kPoints); \
     own_k[own] = vec2(grid.x * nx - grid.y * nz, grid.y * nx + grid.x * nz); \
-    own_h[own] = amplitude[at]; \
+    own_h[own] = two_floats(amplitude[at]); \
     own_u[own] = sideways[at] * own_k[own]; \
     OWN_RATE \
   }
@@ -118,7 +118,7 @@ void main() {
     for (int field = 0; field < kFields; ++field) {
       second_step(exchange_space(line, field), k1);
       int place = (cascade * kFields + field) * kPoints * kStored + column;
-#define STORE(k2) work[place + (k1 + RADIX_A * (k2)) * kStored] = v[SLOT_B(k2)];
+#define STORE(k2) work[place + (k1 + RADIX_A * (k2)) * kStored] = one_word(v[SLOT_B(k2)]);
       EACH_B(STORE)
 #undef STORE
     }

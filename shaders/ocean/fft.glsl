@@ -4,7 +4,8 @@
 // A thread holds a whole short transform in registers and does its part of all fields, one after the
 // other; the one exchange between the steps goes through shared memory. Only indices |n| < N/4 carry
 // waves (the bands end at four points per wave), so the first step knows half of its inputs to be
-// zero. Memory is touched as little as can be: on a CPU renderer every lane's access is one of its own.
+// zero. Memory is touched as little as can be: on a CPU renderer every lane's access is one of its
+// own. So two floats travel as one 64-bit word; nobody calculates with it.
 const int kPoints = RADIX_A * RADIX_B;
 const int kFields = FIELDS;
 const int kTeam = RADIX_A < RADIX_B ? RADIX_A : RADIX_B;  // threads that share a line
@@ -13,8 +14,8 @@ const int kThreads = kTeam * kLines;
 const int kStored = kPoints / 2;  // indices with waves: 0 … N/4-1, then 3N/4 … N-1
 const int kPitch = RADIX_B + 1;   // one column more than needed keeps the banks apart
 
-layout(std430, binding = 1) readonly buffer Twiddles { vec2 twiddles[]; };  // W_N^j, from double
-shared vec2 exchange[kLines * kFields * RADIX_A * kPitch];
+layout(std430, binding = 1) readonly buffer Twiddles { double twiddles[]; };  // W_N^j, from double
+shared double exchange[kLines * kFields * RADIX_A * kPitch];
 
 vec2 v[RADIX_A > RADIX_B ? RADIX_A : RADIX_B];
 
@@ -40,6 +41,9 @@ vec2 v[RADIX_A > RADIX_B ? RADIX_A : RADIX_B];
 #else
 #define EACH_B(f) EACH_16(f, 0)
 #endif
+
+double one_word(vec2 a) { return packDouble2x32(floatBitsToUint(a)); }
+vec2 two_floats(double a) { return uintBitsToFloat(unpackDouble2x32(a)); }
 
 vec2 times(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x); }
 vec2 times_i(vec2 a) { return vec2(-a.y, a.x); }
@@ -144,7 +148,7 @@ int exchange_space(int line, int field) { return (line * kFields + field) * RADI
 // Powers of one root by products of three at most: rounding grows little, and one load does.
 vec2 w[RADIX_A];
 void twiddle_powers(int n2) {
-  w[1] = twiddles[n2];
+  w[1] = two_floats(twiddles[n2]);
 #define SQUARE(n) w[2 * (n)] = times(w[n], w[n]); w[2 * (n) + 1] = times(w[2 * (n)], w[1]);
   SQUARE(1) SQUARE(2) SQUARE(3)
 #if RADIX_A >= 16
@@ -157,7 +161,7 @@ void twiddle_powers(int n2) {
 }
 void first_step(int space, int n2) {
 #define CLEAR(n1) v[n1] = vec2(0.0);
-#define STORE(k1) exchange[space + (k1) * kPitch + n2] = times(v[SLOT_A(k1)], w[k1]);
+#define STORE(k1) exchange[space + (k1) * kPitch + n2] = one_word(times(v[SLOT_A(k1)], w[k1]));
   EACH_INNER_A(CLEAR)
   DFT_A();
   w[0] = vec2(1.0, 0.0);
@@ -166,7 +170,7 @@ void first_step(int space, int n2) {
 #undef STORE
 }
 void second_step(int space, int k1) {
-#define LOAD(n2) v[n2] = exchange[space + k1 * kPitch + n2];
+#define LOAD(n2) v[n2] = two_floats(exchange[space + k1 * kPitch + n2]);
   EACH_B(LOAD)
   DFT_B();
 #undef LOAD

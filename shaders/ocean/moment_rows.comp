@@ -4,7 +4,7 @@
 layout(local_size_x = kThreads) in;
 
 layout(std430, binding = 0) writeonly buffer Points { float points[]; };  // [cascade][z][x][8]
-layout(std430, binding = 2) readonly buffer Work { vec2 work[]; };  // [cascade][field][z][stored x]
+layout(std430, binding = 2) readonly buffer Work { double work[]; };  // [cascade][field][z][stored x]
 
 void main() {
   int cascade = int(gl_WorkGroupID.y), thread = int(gl_LocalInvocationIndex);
@@ -14,7 +14,7 @@ void main() {
     twiddle_powers(n2);
     for (int field = 0; field < kFields; ++field) {
       int row = ((cascade * kFields + field) * kPoints + z) * kStored;
-#define LOAD(n1) v[n1] = work[row + stored(RADIX_B * (n1) + n2)];
+#define LOAD(n1) v[n1] = two_floats(work[row + stored(RADIX_B * (n1) + n2)]);
       EACH_OUTER_A(LOAD)
 #undef LOAD
       first_step(exchange_space(line, field), n2);

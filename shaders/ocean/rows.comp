@@ -4,14 +4,14 @@
 #include "ocean/fft.glsl"
 layout(local_size_x = kThreads) in;
 
-layout(std430, binding = 2) readonly buffer Work { vec2 work[]; };  // [cascade][field][z][stored x]
+layout(std430, binding = 2) readonly buffer Work { double work[]; };  // [cascade][field][z][stored x]
 layout(std430, binding = 3) readonly buffer Grids { vec4 grids[]; };  // w: scale S of Dxz
-// [cascade][z][x], four floats each: Dx, h, Dz, Dxz and sx, sz, Dxx, Dzz; or halves in pairs.
-layout(std430, binding = 4) writeonly buffer Displacement { float displacement[]; };
+// [cascade][z][x], two pairs each: Dx, h and Dz, Dxz; sx, sz and Dxx, Dzz.
+layout(std430, binding = 4) writeonly buffer Displacement { double displacement[]; };
 #ifdef HALF_SLOPES
 layout(std430, binding = 5) writeonly buffer Slopes { uint slopes[]; };
 #else
-layout(std430, binding = 5) writeonly buffer Slopes { float slopes[]; };
+layout(std430, binding = 5) writeonly buffer Slopes { double slopes[]; };
 #endif
 
 void main() {
@@ -22,7 +22,7 @@ void main() {
     twiddle_powers(n2);
     for (int field = 0; field < kFields; ++field) {
       int row = ((cascade * kFields + field) * kPoints + z) * kStored;
-#define LOAD(n1) v[n1] = work[row + stored(RADIX_B * (n1) + n2)];
+#define LOAD(n1) v[n1] = two_floats(work[row + stored(RADIX_B * (n1) + n2)]);
       EACH_OUTER_A(LOAD)
 #undef LOAD
       first_step(exchange_space(line, field), n2);
@@ -32,26 +32,20 @@ void main() {
   float unscale = 1.0 / grids[cascade].w;
   for (int k1 = mate; k1 < RADIX_A; k1 += kTeam) {
     int point = (cascade * kPoints + z) * kPoints + k1;
-    second_step(exchange_space(line, 0), k1);
+    for (int pair = 0; pair < 2; ++pair) {
+      vec2 scale = vec2(1.0, pair == 0 ? 1.0 : unscale);
+      second_step(exchange_space(line, pair), k1);
 #define STORE(k2) \
-  displacement[4 * (point + RADIX_A * (k2))] = v[SLOT_B(k2)].x; \
-  displacement[4 * (point + RADIX_A * (k2)) + 2] = v[SLOT_B(k2)].y;
-    EACH_B(STORE)
+  displacement[2 * (point + RADIX_A * (k2)) + pair] = one_word(scale * v[SLOT_B(k2)]);
+      EACH_B(STORE)
 #undef STORE
-    second_step(exchange_space(line, 1), k1);
-#define STORE(k2) \
-  displacement[4 * (point + RADIX_A * (k2)) + 1] = v[SLOT_B(k2)].x; \
-  displacement[4 * (point + RADIX_A * (k2)) + 3] = unscale * v[SLOT_B(k2)].y;
-    EACH_B(STORE)
-#undef STORE
+    }
     for (int pair = 0; pair < 2; ++pair) {
       second_step(exchange_space(line, 2 + pair), k1);
 #ifdef HALF_SLOPES
 #define STORE(k2) slopes[2 * (point + RADIX_A * (k2)) + pair] = packHalf2x16(v[SLOT_B(k2)]);
 #else
-#define STORE(k2) \
-  slopes[4 * (point + RADIX_A * (k2)) + 2 * pair] = v[SLOT_B(k2)].x; \
-  slopes[4 * (point + RADIX_A * (k2)) + 2 * pair + 1] = v[SLOT_B(k2)].y;
+#define STORE(k2) slopes[2 * (point + RADIX_A * (k2)) + pair] = one_word(v[SLOT_B(k2)]);
 #endif
       EACH_B(STORE)
 #undef STORE

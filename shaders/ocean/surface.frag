@@ -92,7 +92,7 @@ void main() {
   bool by_day = sun.g >= moon.g;
   vec3 light = by_day ? frame.sun_direction.xyz : frame.moon_direction.xyz;
   vec3 direct = (by_day ? sun : moon) * shade;
-  vec3 from_sky = frame.sky_illuminance.rgb;
+  vec3 from_sky = probe_irradiance(vec3(0.0, 1.0, 0.0));  // clouds included
   vec3 down = from_sky + direct * max(light.y, 0.0);
   vec3 radiance;
 

@@ -21,7 +21,7 @@ struct Daylight {
 Daylight daylight() {
   Daylight day;
   day.direct = bright_light() * (water.light.w * water.light.y);
-  day.diffuse = frame.sky_illuminance.rgb * kSkyPassing;
+  day.diffuse = probe_irradiance(vec3(0.0, 1.0, 0.0)) * kSkyPassing;
   return day;
 }
 

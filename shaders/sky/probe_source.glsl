@@ -1,18 +1,12 @@
 // What the probe sees: sky and clouds above the horizon, the mean sea below it. Needs shared/frame.h
 // and sky/sky.glsl before it.
+#include "lib/cloud_map.glsl"
 #include "lib/water.glsl"
 
 // Clouds round the boat, where there are any: rgb their radiance in cd/m^2, a the share of the sky
-// behind them that shows. Hemi-octahedral: see cloud_map_units().
+// behind them that shows. See lib/cloud_map.glsl.
 layout(binding = OFFING_UNIT_CLOUD_MAP) uniform sampler2D cloud_map;
 layout(location = 4) uniform int clouds;  // 0 or 1
-
-// Texture coordinates of an upward direction in the cloud map: the octahedron's upper half, turned by
-// 45 degrees so that the horizon is the square's edge.
-vec2 cloud_map_units(vec3 d) {
-  vec2 p = d.xz / (abs(d.x) + max(d.y, 0.0) + abs(d.z));
-  return 0.5 + 0.5 * vec2(p.x + p.y, p.y - p.x);
-}
 
 vec3 sky_and_clouds(vec3 d) {
   vec3 radiance = sky_radiance(d);

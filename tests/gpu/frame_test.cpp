@@ -145,6 +145,31 @@ TEST_F(Frame, ALensMayCrossTheSurface) {
 
 // Light is neither made nor lost by waves: what they gather in one place is missing in another.
 // Away from the edges, where rays come and go, the mean is 1 but for what steep facets reflect.
+TEST_F(Frame, CloudsAreSeenThroughTheWaterAndMirroredByIt) {
+  // Up through Snell's window, and down at a nearly calm sea: an overcast takes the blue out of
+  // both.
+  for (const auto& [from, at] :
+       {std::pair("500,-5,500", "500.1,5,500"), {"500,30,500", "540,0,500"}}) {
+    double blue[2];  // over red
+    for (const bool cloudy : {false, true}) {
+      voyage_.reset();
+      auto settings = looking(from, at);
+      for (const char* more : {"environment.wind.speed=1", "sea.swell.height=0",
+                               "environment.paused=true", "environment.clouds.type=0.5"}) {
+        settings.emplace_back(more);
+      }
+      settings.emplace_back(cloudy ? "environment.clouds.cover=1" : "environment.clouds.cover=0");
+      sail(settings, 1);
+      if (!voyage_) return;
+      const Image picture = voyage_->renderer().radiance(1.0);
+      double sums[3] = {0.0, 0.0, 0.0};
+      for (std::size_t i = 0; i < picture.pixels.size(); ++i) sums[i % 3] += picture.pixels[i];
+      blue[cloudy ? 1 : 0] = sums[2] / sums[0];
+    }
+    EXPECT_LT(blue[1], 0.85 * blue[0]) << from;
+  }
+}
+
 TEST_F(Frame, WavesGatherLightAndMakeNone) {
   // Waves of a metre or two: a part of a longer one would be a slope that faces the sun or not.
   auto settings = looking("500,-2,500", "600,-2,500");

@@ -1,0 +1,176 @@
+#include "engine/clouds/cloud_map.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "engine/sky/sky_panorama.h"
+#include "shaders/shared/bindings.h"
+#include "shaders/shared/frame.h"
+#include "support/graph_test.h"
+
+namespace offing {
+namespace {
+
+class CloudMapTest : public test::GraphTest {
+ protected:
+  void SetUp() override {
+    GraphTest::SetUp();
+    if (IsSkipped()) return;
+    sky_ = std::make_unique<Sky>(*shaders_, 0);
+    field_ = std::make_unique<CloudField>(*shaders_);
+    shadow_ = std::make_unique<CloudShadow>(*shaders_);
+    map_ = std::make_unique<CloudMap>(*shaders_, CloudMapSettings::of_quality(0));
+    probe_ = std::make_unique<Probe>(*shaders_, ProbeSettings::of_quality(0));
+    frame_ = gl::Buffer("frame", sizeof(shared::FrameData));
+    view_.eye = {0.0, 3.0, 0.0};
+    view_.elapsed = 100.0;
+    sun_.sun.azimuth_deg = 200.0;
+    sun_.sun.elevation_deg = sun_.sun.elevation_airless_deg = 40.0;
+    sun_.moon.elevation_deg = sun_.moon.elevation_airless_deg = -50.0;
+  }
+
+  void TearDown() override {
+    probe_.reset();
+    map_.reset();
+    shadow_.reset();
+    field_.reset();
+    sky_.reset();
+    frame_ = {};
+    GraphTest::TearDown();
+  }
+
+  std::optional<ProbeClouds> add_map(const SkyIds& sky_ids) {
+    shared::CloudData data = cloud_data(view_, light_);
+    shadow_->plan(view_, data);
+    const CloudIds ids = field_->add(*graph_, view_, data);
+    const CloudShadowIds shadow = shadow_->add(*graph_, *field_, ids, view_);
+    shadow_map_ = shadow.map;
+    return map_->add(*graph_, *field_, ids, *sky_, sky_ids, *shadow_, shadow, view_, light_, data);
+  }
+
+  /// One frame of map and probe; the irradiance of a level surface over that of the clear sky.
+  float frame() {
+    light_ = model_.update(sun_, 0.1, view_.eye.y);
+    shared::FrameData data{};
+    light_.fill(data);
+    data.camera = {0.0f, 3.0f, 0.0f, 1e-3f};
+    data.wind = {-6.0f, 0.0f, 5.0f, 8.0f};
+    frame_.write(data);
+    frame_.bind_uniform(OFFING_BIND_FRAME);
+    graph_->begin_frame();
+    const SkyIds sky_ids = sky_->add_tables(*graph_, light_);
+    const auto clouds = add_map(sky_ids);
+    const ProbeIds ids = probe_->add(*graph_, light_, 8.0, *sky_, sky_ids, clouds);
+    float mean = 0.0f;
+    graph_->add(
+        "show",
+        [&](PassBuilder& pass) {
+          ids.read_by(pass);
+          pass.side_effect();
+        },
+        [&](const PassContext& context) {
+          const std::vector<float> texels = context.texture(ids.map).read_floats(4);
+          for (std::size_t i = 1; i < texels.size(); i += 4) mean += texels[i];
+          mean *= 4.0f / static_cast<float>(texels.size());
+        });
+    graph_->execute();
+    return mean;
+  }
+
+  Panorama panorama() {
+    light_ = model_.update(sun_, 0.1, view_.eye.y);
+    return sky_panorama(*shaders_, *graph_, *sky_, light_, 8.0, 128, 64,
+                        [this](FrameGraph&, const SkyIds& sky_ids) { return add_map(sky_ids); });
+  }
+
+  PassReport row(const std::string& name) const {
+    for (const PassReport& r : graph_->report()) {
+      if (r.name == name) return r;
+    }
+    throw std::runtime_error("no pass " + name);
+  }
+
+  static double luminance(const glm::dvec3& c) {
+    return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722));
+  }
+
+  std::unique_ptr<Sky> sky_;
+  std::unique_ptr<CloudField> field_;
+  std::unique_ptr<CloudShadow> shadow_;
+  std::unique_ptr<CloudMap> map_;
+  std::unique_ptr<Probe> probe_;
+  gl::Buffer frame_;
+  SkyLightModel model_;
+  SkyLight light_;
+  CelestialState sun_;
+  CloudView view_;
+  TextureId shadow_map_;
+};
+
+TEST_F(CloudMapTest, AClearSkyCostsNothing) {
+  view_.weather.cover = 0.0;
+  frame();
+  EXPECT_EQ(row("clouds.map").ran, 0);
+  EXPECT_EQ(row("clouds.map").skipped, 1);
+  EXPECT_EQ(row("clouds.noise").ran, 0);
+}
+
+TEST_F(CloudMapTest, StandsStillWithTheClockAndFollowsItInSlices) {
+  for (int i = 0; i < 5; ++i) frame();
+  EXPECT_EQ(row("clouds.map").ran, 1);
+  EXPECT_EQ(row("clouds.map").cached, 4);
+  // The air drifts on for one frame: one refresh, and the probe takes it in, then nothing.
+  view_.elapsed += 2.0;
+  view_.drift += glm::dvec2(16.0, 0.0);
+  for (int i = 0; i < 60; ++i) frame();
+  EXPECT_EQ(row("clouds.map").ran, 1 + map_->settings().slices);
+  EXPECT_EQ(row("sky.probe").ran, 1 + 2 * probe_->settings().slices);
+}
+
+TEST_F(CloudMapTest, TheProbeShowsCloudsAndDoesNotFlickerAsTheyPass) {
+  view_.weather.cover = 0.0;
+  const float clear = frame();
+  view_.weather.cover = 0.9;
+  const float cloudy = frame();
+  EXPECT_GT(std::abs(cloudy / clear - 1.0f), 0.1f);
+  // Drift for 40 s in steps of 0.4 s: what the probe holds in the mean changes, but smoothly.
+  view_.weather.cover = 0.5;
+  std::vector<double> means;
+  for (int i = 0; i < 100; ++i) {
+    view_.elapsed += 0.4;
+    view_.drift += glm::dvec2(3.2, 0.0);
+    means.push_back(static_cast<double>(frame()));
+  }
+  double least = 1e9, most = 0.0;
+  for (std::size_t i = 30; i < means.size(); ++i) {
+    least = std::min(least, means[i]);
+    most = std::max(most, means[i]);
+    EXPECT_LT(std::abs(means[i] / means[i - 1] - 1.0), 1.0 / 255.0) << i;
+  }
+  EXPECT_GT(most / least, 1.002);
+}
+
+TEST_F(CloudMapTest, CloudsTakeAndGiveLightButMakeNone) {
+  // What falls on a level surface through the clouds, scattered (the panorama's upper half) and as
+  // a beam (the shadow), is never more than falls on one above them; and more cloud lets less
+  // through.
+  view_.weather = {.cover = 0.0, .type = 0.0, .precipitation = 0.0, .high = 0.0};
+  const double sky = luminance(panorama().level_illuminance());
+  const double sun = luminance(light_.sun_illuminance) * light_.sun_direction.y;
+  const auto overcast = [&](double density) {
+    view_.weather.cover = 1.0;
+    view_.parameters.density = density;
+    map_ = std::make_unique<CloudMap>(*shaders_, CloudMapSettings::of_quality(0));
+    return luminance(panorama().level_illuminance());
+  };
+  double last = sky + sun;
+  for (const double density : {1.0, 2.0, 4.0}) {
+    const double lux = overcast(density);  // no beam comes through 200 m of stratus
+    EXPECT_LT(lux, last) << density;
+    EXPECT_GT(lux, 0.05 * (sky + sun)) << density;
+    last = lux;
+  }
+}
+
+}  // namespace
+}  // namespace offing
