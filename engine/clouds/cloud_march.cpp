@@ -144,6 +144,10 @@ void CloudMarch::resize(glm::ivec2 screen) {
   whole_distance_ = picture("clouds distance of all", GL_R16F, size);
   pictures_[0] = picture("clouds picture a", GL_RGBA16F, size);
   pictures_[1] = picture("clouds picture b", GL_RGBA16F, size);
+  // What is never marched, beneath the horizon, holds no cloud.
+  const float nothing[4] = {0.0f, 0.0f, 0.0f, 1.0f};
+  for (const gl::Texture& texture : pictures_)
+    glClearTexImage(texture.id(), 0, GL_RGBA, GL_FLOAT, nothing);
   known_ = false;
   for (PassMemory* memory : {&march_memory_, &bounds_memory_, &resolve_memory_}) memory->reset();
 }
