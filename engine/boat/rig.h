@@ -18,9 +18,9 @@ struct RigParameters {
   double boom_inertia = 30.0;  ///< kg m^2 about the mast
   double boom_damping = 2.6;   ///< 1/s
   double boom_moment = 18.0;   ///< kg m: its weight times the arm
-  double boom_least = 0.052;   ///< rad, 3 degrees: sheeted hard in
+  double boom_least = 0.017;   ///< rad, 1 degree: the traveller hauled to windward
   double boom_stop = 1.4835;   ///< rad, 85 degrees: the shrouds
-  double jib_least = 0.157;    ///< rad, 9 degrees: its track is abeam of the mast
+  double jib_least = 0.140;    ///< rad, 8 degrees: its tracks lie on the coachroof
   double jib_stop = 1.31;      ///< rad, 75 degrees
 };
 

@@ -31,28 +31,47 @@ constexpr std::size_t kMostLineVertices = 2048;
 constexpr float kWheelGear = 6.0f;
 
 const glm::vec3 kUp{0.0f, 1.0f, 0.0f};
+// A box about her, boat frame.
+constexpr glm::vec3 kLow{-1.3f, -1.5f, -4.1f}, kHigh{1.3f, 12.1f, 4.1f};
 // The node that stands for the boat herself.
 constexpr int kStill = shared::kBoatNodes - 1;
 
-// One channel for each side of the cloth; a grey picture is the same from both.
-gl::Texture cloth_texture(const char* label, const Image& image, float otherwise) {
-  const bool empty = image.pixels.empty();
-  const int width = empty ? 1 : image.width, height = empty ? 1 : image.height;
-  gl::Texture texture(label, {.format = GL_RG8,
-                              .width = width,
-                              .height = height,
-                              .levels = gl::full_mip_levels(width, height)});
+// A channel of a picture at (u, v) from its upper left corner, between its pixels.
+float smooth_pixel(const Image& image, int channel, float u, float v) {
+  const float x = std::clamp(u * static_cast<float>(image.width) - 0.5f, 0.0f,
+                             static_cast<float>(image.width - 1));
+  const float y = std::clamp(v * static_cast<float>(image.height) - 0.5f, 0.0f,
+                             static_cast<float>(image.height - 1));
+  const int left = static_cast<int>(x), top = static_cast<int>(y);
+  const auto pixel = [&](int column, int row) {
+    const int at =
+        std::min(row, image.height - 1) * image.width + std::min(column, image.width - 1);
+    return image.pixels[static_cast<std::size_t>(at * image.channels + channel)];
+  };
+  const float s = x - static_cast<float>(left), t = y - static_cast<float>(top);
+  return glm::mix(glm::mix(pixel(left, top), pixel(left + 1, top), s),
+                  glm::mix(pixel(left, top + 1), pixel(left + 1, top + 1), s), t);
+}
+
+// Red and green: the pattern seen from port and from starboard; a grey picture is the same from
+// both. Blue: where there is cloth; all of it without a picture of that.
+gl::Texture cloth_texture(const char* label, const Image& pattern, const Image& alpha) {
+  gl::Texture texture(label, {.format = GL_RGBA8,
+                              .width = pattern.width,
+                              .height = pattern.height,
+                              .levels = gl::full_mip_levels(pattern.width, pattern.height)});
   std::vector<float> rows;
-  if (empty) rows = {otherwise, otherwise};
-  const auto channels = static_cast<std::size_t>(image.channels);
-  const auto stride = static_cast<std::size_t>(image.width) * channels;
-  for (int y = image.height - 1; y >= 0; --y) {  // bottom row first: v grows toward the head
-    for (std::size_t x = 0; x < stride; x += channels) {
-      const float* pixel = &image.pixels[static_cast<std::size_t>(y) * stride + x];
-      rows.insert(rows.end(), {pixel[0], pixel[channels >= 3 ? 1 : 0]});
+  for (int y = pattern.height - 1; y >= 0; --y) {  // bottom row first: v grows toward the head
+    for (int x = 0; x < pattern.width; ++x) {
+      const auto at = static_cast<std::size_t>((y * pattern.width + x) * pattern.channels);
+      const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(pattern.width);
+      const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(pattern.height);
+      const float cloth = alpha.pixels.empty() ? 1.0f : smooth_pixel(alpha, 0, u, v);
+      rows.insert(rows.end(),
+                  {pattern.pixels[at], pattern.pixels[at + (pattern.channels >= 3)], cloth, 1.0f});
     }
   }
-  texture.upload(GL_RG, GL_FLOAT, rows.data());
+  texture.upload(GL_RGBA, GL_FLOAT, rows.data());
   texture.generate_mipmaps();
   return texture;
 }
@@ -72,6 +91,12 @@ gl::Texture colour_texture(const Image& image) {
   texture.upload(GL_RGBA, GL_FLOAT, rgba.data());
   texture.generate_mipmaps();
   return texture;
+}
+
+// From the eye to the box about her, m.
+float distance_to_box(const BoatView& view) {
+  const glm::vec3 eye = glm::inverse(view.orientation) * -view.position;
+  return glm::distance(eye, glm::clamp(eye, kLow, kHigh));
 }
 
 int need(const Model& model, std::string_view name) {
@@ -115,7 +140,6 @@ bool sphere_in_view(const glm::mat4& clip_from_relative, const glm::vec3& centre
 BoatTextures load_boat_textures(const std::filesystem::path& folder) {
   return {.main_alpha = read_image(folder / "main_alpha.png"),
           .main_pattern = read_image(folder / "main_pattern.png"),
-          .jib_alpha = {},
           .jib_pattern = read_image(folder / "jib_pattern.png"),
           .flag_alpha = read_image(folder / "flag_alpha.png"),
           .flag_pattern = read_image(folder / "flag_pattern.png")};
@@ -213,7 +237,11 @@ void BoatPass::build_rigid(ShaderLibrary& shaders, const Model& model) {
       }
     }
     const auto count = static_cast<std::uint32_t>(indices.size()) - first;
-    if (count > 0) draws_.push_back({&program, first, count, picture, wire, carrier});
+    if (count == 0) return;
+    DetailLevels levels;
+    levels.fill({first, count});  // a wire's radius is not in its vertices: it stays as it is
+    if (!wire) levels = add_detail_levels(vertices, indices, first);
+    draws_.push_back({&program, levels, picture, wire, carrier});
   };
   const auto gather = [&](const ShaderProgram& program, int picture, bool wire) {
     for (const int carrier : {kStill, boom_, rudder_, wheel_}) {
@@ -297,12 +325,10 @@ void BoatPass::build_cloth(const Model& model, const BoatTextures& textures) {
       if (vertex.uv.x > 0.999f && vertex.uv.y < 0.001f) cloth.clew = vertex.position;
     }
   }
-  cloth_[kMainsail].alpha = cloth_texture("boat.main_alpha", textures.main_alpha, 1.0f);
-  cloth_[kMainsail].pattern = cloth_texture("boat.main_pattern", textures.main_pattern, 0.0f);
-  cloth_[kJib].alpha = cloth_texture("boat.jib_alpha", textures.jib_alpha, 1.0f);
-  cloth_[kJib].pattern = cloth_texture("boat.jib_pattern", textures.jib_pattern, 0.0f);
-  cloth_[kFlag].alpha = cloth_texture("boat.flag_alpha", textures.flag_alpha, 1.0f);
-  cloth_[kFlag].pattern = cloth_texture("boat.flag_pattern", textures.flag_pattern, 0.0f);
+  cloth_[kMainsail].picture =
+      cloth_texture("boat.mainsail", textures.main_pattern, textures.main_alpha);
+  cloth_[kJib].picture = cloth_texture("boat.jib", textures.jib_pattern, {});
+  cloth_[kFlag].picture = cloth_texture("boat.flag", textures.flag_pattern, textures.flag_alpha);
 
   cloth_vertices_ = gl::Buffer::of<ClothVertex>("boat.cloth_vertices", vertices);
   cloth_indices_ = gl::Buffer::of<std::uint32_t>("boat.cloth_indices", indices);
@@ -317,6 +343,7 @@ void BoatPass::build_cloth(const Model& model, const BoatTextures& textures) {
 BoatPass::Frame BoatPass::pose(const BoatView& view, const shared::FrameData& frame) const {
   Frame out{};
   out.hoisted = view.hoisted;
+  out.detail = detail_level(distance_to_box(view), frame.camera.w);
   shared::BoatData& boat = out.boat;
   boat.relative_from_boat =
       glm::translate(glm::mat4(1.0f), view.position) * glm::mat4_cast(view.orientation);
@@ -379,15 +406,13 @@ void BoatPass::draw(const Frame& frame) const {
   };
 
   clamp_.bind(0);
-  clamp_.bind(1);
   cloth_layout_.bind();
   cloth_program_.use();
   for (std::size_t i = 0; i < cloth_.size(); ++i) {
     if (i != kFlag && !frame.hoisted) continue;
     cloth_blocks_[i].write(frame.cloth[i]);
     cloth_blocks_[i].bind_uniform(OFFING_BIND_CLOTH);
-    cloth_[i].alpha.bind(0);
-    cloth_[i].pattern.bind(1);
+    cloth_[i].picture.bind(0);
     elements(cloth_[i].first, cloth_[i].count);
   }
 
@@ -404,14 +429,14 @@ void BoatPass::draw(const Frame& frame) const {
     } else {
       glEnable(GL_CULL_FACE);
     }
-    elements(item.first, item.count);
+    const IndexRange& range = item.levels[static_cast<std::size_t>(frame.detail)];
+    elements(range.first, range.count);
   }
   draw_lines(frame.lines);
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
   glDisable(GL_DEPTH_TEST);
   glBindSampler(0, 0);
-  glBindSampler(1, 0);
 }
 
 void BoatPass::draw_lines(const RigidMesh& lines) const {

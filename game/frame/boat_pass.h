@@ -15,6 +15,7 @@
 #include "engine/shader/shader_library.h"
 #include "game/frame/boat_view.h"
 #include "game/frame/cloth.h"
+#include "game/frame/detail.h"
 #include "game/frame/rigid_vertex.h"
 #include "shaders/shared/boat.h"
 #include "shaders/shared/frame.h"
@@ -25,10 +26,10 @@ namespace offing {
 inline constexpr std::array<std::string_view, 8> kBoatNodeNames = {
     "hull", "deck", "mast", "boom", "mainsail", "jib", "rudder", "flag"};
 
-/// Pictures of the cloth, luff on the left and head at the top: grey, or red for its port and green
-/// for its starboard side. An empty one is white (alpha) or black (pattern).
+/// Pictures of the cloth, luff on the left and head at the top: where its colours change (grey, or
+/// red for its port and green for its starboard side), and where there is cloth.
 struct BoatTextures {
-  Image main_alpha, main_pattern, jib_alpha, jib_pattern, flag_alpha, flag_pattern;
+  Image main_alpha, main_pattern, jib_pattern, flag_alpha, flag_pattern;
 };
 
 /// Those of assets/textures. Throws InputError where one is missing.
@@ -66,7 +67,7 @@ class BoatPass {
  private:
   struct Draw {
     const ShaderProgram* program;
-    std::uint32_t first, count;
+    DetailLevels levels;
     int picture;  ///< index into pictures_, or -1
     bool wire;
     int carrier;  ///< the node in whose frame its vertices are
@@ -76,12 +77,13 @@ class BoatPass {
     std::uint32_t first = 0, count = 0;
     float hoist = 0.0f, foot = 0.0f, head = 0.0f, rise = 0.0f;  ///< outline, m; see SailShade
     glm::vec3 clew{0.0f};
-    gl::Texture alpha, pattern;
+    gl::Texture picture;
   };
   struct Frame {
     shared::BoatData boat;
     std::array<shared::ClothParameters, 3> cloth;
     bool hoisted;
+    int detail;       ///< index into DetailLevels
     RigidMesh lines;  ///< ropes and telltales, boat frame
   };
   enum Sails { kMainsail, kJib, kFlag };

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <unordered_map>
 
 #include "game/frame/boat_pass.h"
 #include "game/frame/rigid_vertex.h"
@@ -18,18 +19,25 @@ FlotsamPass::FlotsamPass(ShaderLibrary& shaders, const Model& model)
     : program_(shaders.program({"boat/rigid.vert", "boat/rigid.frag"})),
       buffer_("flotsam.block", sizeof(shared::BoatData)) {
   RigidMesh mesh;
+  std::unordered_map<std::uint32_t, std::uint32_t> placed;
   for (std::size_t kind = 0; kind < kFlotsam.size(); ++kind) {
     const ModelNode& node = model.nodes[static_cast<std::size_t>(model.find(kFlotsam[kind]))];
-    ranges_[kind].first = static_cast<std::uint32_t>(mesh.indices.size());
+    const auto first = static_cast<std::uint32_t>(mesh.indices.size());
+    placed.clear();
     for (const ModelPrimitive& primitive : node.primitives) {
       for (std::uint32_t i = 0; i < primitive.index_count; ++i) {
-        const ModelVertex& from = model.vertices[model.indices[primitive.first_index + i]];
-        mesh.indices.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
-        mesh.vertices.push_back(
-            {from.position, from.normal, from.uv, static_cast<float>(primitive.material)});
+        const std::uint32_t index = model.indices[primitive.first_index + i];
+        const auto [found, is_new] =
+            placed.try_emplace(index, static_cast<std::uint32_t>(mesh.vertices.size()));
+        if (is_new) {
+          const ModelVertex& from = model.vertices[index];
+          mesh.vertices.push_back(
+              {from.position, from.normal, from.uv, static_cast<float>(primitive.material)});
+        }
+        mesh.indices.push_back(found->second);
       }
     }
-    ranges_[kind].count = static_cast<std::uint32_t>(mesh.indices.size()) - ranges_[kind].first;
+    levels_[kind] = add_detail_levels(mesh.vertices, mesh.indices, first);
   }
   const std::size_t materials =
       std::min(model.materials.size(), static_cast<std::size_t>(shared::kBoatMaterials));
@@ -57,7 +65,7 @@ void FlotsamPass::add(FrameGraph& graph, const std::vector<FlotsamView>& things,
         light.declare(pass);
         pass.modify(hdr).modify(depth).render_to({hdr}, depth).skip_if(seen.empty());
       },
-      [this, seen, light](PassContext& context) {
+      [this, seen, light, pixel = frame.camera.w](PassContext& context) {
         light.bind(context);
         glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
         glEnable(GL_DEPTH_TEST);
@@ -73,7 +81,10 @@ void FlotsamPass::add(FrameGraph& graph, const std::vector<FlotsamView>& things,
               glm::translate(glm::mat4(1.0f), thing.position) * glm::mat4_cast(thing.orientation);
           buffer_.write(block);
           buffer_.bind_uniform(OFFING_BIND_BOAT);
-          const Range& range = ranges_[static_cast<std::size_t>(thing.kind)];
+          const float distance = std::max(glm::length(thing.position) - kRadius, 0.0f);
+          const IndexRange& range =
+              levels_[static_cast<std::size_t>(thing.kind)]
+                     [static_cast<std::size_t>(detail_level(distance, pixel))];
           glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.count), GL_UNSIGNED_INT,
                          reinterpret_cast<const void*>(static_cast<std::uintptr_t>(range.first) *
                                                        sizeof(std::uint32_t)));

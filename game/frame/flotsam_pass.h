@@ -7,6 +7,7 @@
 #include "engine/io/model.h"
 #include "engine/ocean/ocean.h"
 #include "engine/shader/shader_library.h"
+#include "game/frame/detail.h"
 #include "game/frame/frame_view.h"
 #include "shaders/shared/boat.h"
 
@@ -23,11 +24,8 @@ class FlotsamPass {
            TextureId depth) const;
 
  private:
-  struct Range {
-    std::uint32_t first = 0, count = 0;
-  };
   const ShaderProgram& program_;
-  std::array<Range, kFlotsam.size()> ranges_;
+  std::array<DetailLevels, kFlotsam.size()> levels_;
   shared::BoatData block_{};
   gl::Buffer vertices_, indices_, buffer_;
   gl::VertexArray layout_;

@@ -4,14 +4,16 @@
 #include "shared/cloth.h"
 #include "boat/light.glsl"
 
-layout(binding = 0) uniform sampler2D alpha_picture;
-layout(binding = 1) uniform sampler2D pattern_picture;  // r: seen from port, g: from starboard
+// r: the pattern seen from port, g: from starboard, b: where there is cloth
+layout(binding = 0) uniform sampler2D cloth_picture;
 
 in Surface {
   vec3 relative;
-  vec3 in_boat;
   vec3 normal;
   vec2 uv;
+  vec4 ambient;  // lux on the side of the normal; w: what the clouds leave of the sun
+  vec3 behind;   // lux on the other side
+  vec3 air;      // cd/m^2
 } surface;
 
 layout(location = 0) out vec4 radiance;
@@ -23,21 +25,21 @@ float faced(vec3 n, vec3 l, float through) {
 }
 
 void main() {
-  if (texture(alpha_picture, surface.uv).r < 0.5) discard;
+  vec3 picture = texture(cloth_picture, surface.uv).rgb;
+  if (picture.b < 0.5) discard;
   float through = cloth.colour_a.w;
-  vec2 pattern = texture(pattern_picture, surface.uv).rg;
-  vec3 base = mix(cloth.colour_a.rgb, cloth.colour_b.rgb, gl_FrontFacing ? pattern.g : pattern.r);
+  vec3 base = mix(cloth.colour_a.rgb, cloth.colour_b.rgb, gl_FrontFacing ? picture.g : picture.r);
   vec3 n = normalize(surface.normal);
-  n = dot(n, surface.relative) > 0.0 ? -n : n;
+  float facing = dot(n, surface.relative) > 0.0 ? -1.0 : 1.0;
+  n *= facing;
   mat3 boat_from_world = transpose(mat3(boat.relative_from_boat));
-  float cloud_light = cloud_shadow(surface.relative);
-  vec3 light = ambient_illuminance(n) * (1.0 - through) +
-               ambient_illuminance(-n) * through;
+  vec3 in_boat = in_boat_frame(boat_from_world, surface.relative);
+  vec3 light = mix(surface.ambient.rgb, surface.behind, facing > 0.0 ? through : 1.0 - through);
   for (int i = first_light(); i < last_light(); ++i) {
     vec3 l = light_direction(i);
-    light += light_illuminance(i) * cloud_light * faced(n, l, through) *
-             sail_shade(surface.in_boat, boat_from_world * l, int(cloth.colour_b.w));
+    light += light_illuminance(i) * surface.ambient.w * faced(n, l, through) *
+             sail_shade(in_boat, boat_from_world * l, int(cloth.colour_b.w));
   }
-  vec3 seen = through_air(base / kHalfTurn * light, surface.relative);
+  vec3 seen = through_air(base / kHalfTurn * light, surface.relative, surface.air);
   radiance = vec4(min(seen * frame.time.z, vec3(6.0e4)), 1.0);
 }

@@ -3,6 +3,7 @@
 #include "shared/boat.h"
 #include "shared/cloth.h"
 #include "lib/noise.glsl"
+#include "boat/light.glsl"
 
 layout(location = 0) in vec3 position;  // flat, in the cloth's frame
 layout(location = 1) in vec2 uv;
@@ -10,9 +11,11 @@ layout(location = 2) in vec4 tangents;  // d(y, z)/du, d(y, z)/dv of the flat cl
 
 out Surface {
   vec3 relative;
-  vec3 in_boat;
   vec3 normal;
   vec2 uv;
+  vec4 ambient;  // lux on the side of the normal; w: what the clouds leave of the sun
+  vec3 behind;   // lux on the other side
+  vec3 air;      // cd/m^2
 } surface;
 
 // How free the cloth is to move at (u, v).
@@ -64,8 +67,11 @@ void main() {
   vec4 in_boat = boat_from_node * vec4(here, 1.0);
   vec4 relative = boat.relative_from_boat * in_boat;
   surface.relative = relative.xyz;
-  surface.in_boat = in_boat.xyz;
   surface.normal = mat3(boat.relative_from_boat) * (mat3(boat_from_node) * normal);
   surface.uv = uv;
+  vec3 n = normalize(surface.normal);
+  surface.ambient = vec4(ambient_illuminance(n), cloud_shadow(relative.xyz));
+  surface.behind = ambient_illuminance(-n);
+  surface.air = light_of_air(relative.xyz);
   gl_Position = frame.clip_from_relative * relative;
 }

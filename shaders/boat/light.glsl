@@ -34,11 +34,21 @@ float sail_shade(vec3 p, vec3 direction, int own) {
 // Illuminance (lux) of a surface with this normal from sky and sea, without sun and moon.
 vec3 ambient_illuminance(vec3 normal) { return probe_irradiance(normal); }
 
-// What is left of `radiance` (cd/m^2) through the air between, with the light of that air.
-vec3 through_air(vec3 radiance, vec3 relative) {
+// The light of the air (cd/m^2) between the eye and a place. It changes over tens of metres, so it is
+// found at vertices and interpolated, as clouds' shadow and the light from all round are.
+vec3 light_of_air(vec3 relative) {
   float distance_ = length(relative);
-  AirLight air = air_light(relative / max(distance_, 1.0e-3), distance_);
-  return radiance * air.transmittance + air.inscattered;
+  return air_light(relative / max(distance_, 1.0e-3), distance_).inscattered;
+}
+
+// What is left of `radiance` (cd/m^2) through the air between, with the light of that air.
+vec3 through_air(vec3 radiance, vec3 relative, vec3 inscattered) {
+  return radiance * exp(-frame.haze.rgb * length(relative)) + inscattered;
+}
+
+// The place in the boat's frame.
+vec3 in_boat_frame(mat3 boat_from_world, vec3 relative) {
+  return boat_from_world * (relative - boat.relative_from_boat[3].xyz);
 }
 
 // Light 0 is the sun, light 1 the moon. Only those that count are gone through: by day the moon does

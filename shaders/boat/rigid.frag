@@ -8,11 +8,12 @@ layout(binding = 0) uniform sampler2D base_picture;
 
 in Surface {
   vec3 relative;
-  vec3 in_boat;
   vec3 normal;
-  vec2 uv;
-  float coverage;
-  flat int material;
+  vec3 uv_coverage;
+  vec4 ambient;  // lux; w: what the clouds leave of the sun
+  vec3 air;      // cd/m^2
+  flat vec4 base;      // as BoatMaterial
+  flat vec4 emission;
 } surface;
 
 layout(location = 0) out vec4 radiance;
@@ -26,30 +27,29 @@ vec3 reflected(vec3 n, vec3 v, vec3 l, vec3 diffuse, vec3 f0, float alpha) {
 }
 
 void main() {
-  BoatMaterial material = boat.materials[surface.material];
-  vec3 base = material.base_colour.rgb;
+  vec3 base = surface.base.rgb;
 #ifdef PICTURE
-  base *= texture(base_picture, surface.uv).rgb;
+  base *= texture(base_picture, surface.uv_coverage.xy).rgb;
 #endif
-  float metallic = material.base_colour.w;
-  float alpha = material.emission.w;
+  float metallic = surface.base.w;
+  float alpha = surface.emission.w;
   vec3 diffuse = base * (1.0 - metallic);
   vec3 f0 = mix(vec3(0.04), base, metallic);
 
   vec3 n = normalize(surface.normal);
   vec3 v = -normalize(surface.relative);
   mat3 boat_from_world = transpose(mat3(boat.relative_from_boat));
+  vec3 in_boat = in_boat_frame(boat_from_world, surface.relative);
 
-  float cloud_light = cloud_shadow(surface.relative);
   vec3 sum = vec3(0.0);
   for (int i = first_light(); i < last_light(); ++i) {
     vec3 l = light_direction(i);
-    sum += light_illuminance(i) * cloud_light * sail_shade(surface.in_boat, boat_from_world * l, -1) *
+    sum += light_illuminance(i) * surface.ambient.w * sail_shade(in_boat, boat_from_world * l, -1) *
            reflected(n, v, l, diffuse, f0, alpha);
   }
 
   // Sky and sea: diffuse from all round, glossy from about the mirror direction.
-  sum += diffuse / kHalfTurn * ambient_illuminance(n);
+  sum += diffuse / kHalfTurn * surface.ambient.rgb;
   vec3 glossy = probe_radiance(reflect(-v, n), sqrt(alpha));
   float m = 1.0 - max(dot(n, v), 0.0);
   // Reflectance of a rough surface over all directions (S. Lagarde 2011, "Adopting a physically based
@@ -57,6 +57,6 @@ void main() {
   vec3 reflectance = f0 + (max(vec3(1.0 - alpha), f0) - f0) * m * m * m * m * m;
   sum += reflectance * glossy;
 
-  sum = through_air(sum + material.emission.rgb, surface.relative);
-  radiance = vec4(min(sum * frame.time.z, vec3(6.0e4)), surface.coverage);
+  sum = through_air(sum + surface.emission.rgb, surface.relative, surface.air);
+  radiance = vec4(min(sum * frame.time.z, vec3(6.0e4)), surface.uv_coverage.z);
 }

@@ -1,6 +1,7 @@
 // Hull, deck, spars and wires: everything that does not bend.
 #include "shared/frame.h"
 #include "shared/boat.h"
+#include "boat/light.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -11,31 +12,34 @@ layout(location = 0) uniform int node;
 
 out Surface {
   vec3 relative;
-  vec3 in_boat;
   vec3 normal;
-  vec2 uv;
-  float coverage;
-  flat int material;
+  vec3 uv_coverage;
+  vec4 ambient;  // lux; w: what the clouds leave of the sun
+  vec3 air;      // cd/m^2
+  flat vec4 base;      // as BoatMaterial
+  flat vec4 emission;
 } surface;
 
 void main() {
   mat4 boat_from_node = boat.boat_from_node[node];
   vec4 in_boat = boat_from_node * vec4(position, 1.0);
   vec3 turned = mat3(boat_from_node) * normal;
-  surface.coverage = 1.0;
+  float coverage = 1.0;
 #ifdef WIRE
   // A wire thinner than a pixel flickers. Draw it a pixel wide and as much fainter as that is too wide
   // (E. Persson, "Phone-wire AA", 2012). Its radius comes in u.
   float distance = length((boat.relative_from_boat * in_boat).xyz);
   float radius = max(uv.x, 0.6 * distance * frame.camera.w);
   in_boat.xyz += turned * (radius - uv.x);
-  surface.coverage = uv.x / radius;
+  coverage = uv.x / radius;
 #endif
   vec4 relative = boat.relative_from_boat * in_boat;
   surface.relative = relative.xyz;
-  surface.in_boat = in_boat.xyz;
   surface.normal = mat3(boat.relative_from_boat) * turned;
-  surface.uv = uv;
-  surface.material = int(material);
+  surface.uv_coverage = vec3(uv, coverage);
+  surface.ambient = vec4(ambient_illuminance(surface.normal), cloud_shadow(relative.xyz));
+  surface.air = light_of_air(relative.xyz);
+  surface.base = boat.materials[int(material)].base_colour;
+  surface.emission = boat.materials[int(material)].emission;
   gl_Position = frame.clip_from_relative * relative;
 }
