@@ -151,6 +151,42 @@ Plot righting_plot(const R8Parameters& parameters) {
   return plot;
 }
 
+/// Let go in calm water, sails down, crew amidships: each motion over its first displacement.
+Plot decay_plot(const R8Parameters& parameters) {
+  Plot plot{.title = "Let go: 8 cm up, 8 degrees over, 2 degrees by the bow",
+            .x_title = "s",
+            .y_title = "share of the first displacement",
+            .curves = {}};
+  const CalmWater water;
+  const SteadyWind no_wind(0.0, 0.0);
+  const auto let_go = [&](const char* name, glm::dvec3 shift, double heel, double pitch,
+                          auto read) {
+    constexpr int kRate = 120;
+    Boat boat(parameters);
+    boat.controls().sails_up = false;
+    boat.controls().crew_hikes = false;
+    boat.start({0.0, 0.0}, 0.0, 0.0, water, 0.0);
+    const double rest = read(boat);
+    boat.displace(shift, heel, pitch);
+    const double first = read(boat) - rest;
+    PlotCurve curve{name, {}};
+    for (int i = 0; i < 6 * kRate; ++i) {
+      if (i % 6 == 0) {
+        curve.points.push_back({static_cast<double>(i) / kRate, (read(boat) - rest) / first});
+      }
+      boat.step(water, no_wind, static_cast<double>(i) / kRate, 1.0 / kRate);
+    }
+    plot.curves.push_back(curve);
+  };
+  let_go("heave", {0.0, 0.08, 0.0}, 0.0, 0.0,
+         [](const Boat& boat) { return boat.state().position.y; });
+  let_go("roll", glm::dvec3(0.0), radians(8.0), 0.0,
+         [](const Boat& boat) { return boat.navigation().heel; });
+  let_go("pitch", glm::dvec3(0.0), 0.0, radians(2.0),
+         [](const Boat& boat) { return boat.navigation().pitch; });
+  return plot;
+}
+
 }  // namespace
 
 // How far the step's length takes the boat from where a sixteen times finer one would have, and
@@ -229,7 +265,8 @@ void bench_boat(const Options& options) {
                       .log_y = true,
                       .curves = {readback, flat}},
                      polar_plot(parameters),
-                     righting_plot(parameters)}));
+                     righting_plot(parameters),
+                     decay_plot(parameters)}));
 }
 
 }  // namespace offing

@@ -38,7 +38,7 @@ void BoatPass::add_ropes(Frame& out, const BoatView& view, const glm::vec3& down
   };
   const glm::vec3 clew = clew_at(view.jib.angle);
   for (const float side : {-1.0f, 1.0f}) {
-    const glm::vec3 car(0.86f * side, 0.98f, 0.39f), winch(0.90f * side, 1.02f, 1.75f);
+    const glm::vec3 car(0.575f * side, 1.21f, 0.39f), winch(0.90f * side, 1.02f, 1.75f);
     const bool pulls = side * view.jib.angle >= 0.0f;
     const float direct = glm::distance(clew, car);
     const float length = pulls

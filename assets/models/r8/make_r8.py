@@ -12,6 +12,7 @@ sys.dont_write_bytecode = True
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [HERE, os.path.join(HERE, "..", "..", "textures")]
 
+from gear import make_gear  # noqa: E402
 from glb import Node, Writer  # noqa: E402
 from shapes import (Spline, add, box, foil, frames, grid, lathe, lerp, mix, polygon, quad, scale,  # noqa: E402
                     smooth, sub, surface, sweep, tube, unit)
@@ -360,11 +361,11 @@ def make_fittings(node):
             (0.055, 0.132), (0.02, 0.135), (0.02, 0.142), (0.0, 0.142)]
     for side in (-1, 1):
         at = (side * 0.90, deck_y(0.90, 1.75), 1.75)
-        lathe(black, at, [(0.088, -0.01), (0.080, 0.055), (0.0, 0.055)], 14)
-        lathe(steel, add(at, (0, 0.055, 0)), drum, 14)
+        lathe(black, at, [(0.088, -0.01), (0.080, 0.055), (0.0, 0.055)], 18)
+        lathe(steel, add(at, (0, 0.055, 0)), drum, 18)
         at = roof(0.62, math.pi / 2 - side * 0.42)
-        lathe(steel, (side * 0.42, at[1] - 0.004, 0.62), [(r * 0.72, h * 0.8) for r, h in drum], 10)
-        # Mooring cleats and fairleads, jib tracks.
+        lathe(steel, (side * 0.42, at[1] - 0.004, 0.62), [(r * 0.72, h * 0.8) for r, h in drum], 14)
+        # Mooring cleats.
         for z in (-3.05, 3.66):
             x = half_beam(deck_t(z)) - 0.13
             y = deck_y(x, z)
@@ -372,9 +373,6 @@ def make_fittings(node):
                          (side * x, y + 0.045, z + 0.11)], [0.009, 0.013, 0.009], sides=6)
             for dz in (-0.035, 0.035):
                 tube(steel, [(side * x, y - 0.01, z + dz), (side * x, y + 0.05, z + dz)], 0.011, sides=6)
-        track = [(side * 0.86, deck_y(0.86, z) + 0.006, z) for z in (0.1, 0.4, 0.7)]
-        sweep(black, track, [(-0.016, -0.01), (0.016, -0.01), (0.016, 0.014), (-0.016, 0.014)])
-        box(steel, (side * 0.86 - 0.03, track[1][1] + 0.01, 0.34), (side * 0.86 + 0.03, track[1][1] + 0.06, 0.44))
     # Stem head fitting and the mast's collar; the mainsheet traveller across the seats.
     box(steel, (-0.035, 1.00, BOW + 0.06), (0.035, 1.115, BOW + 0.30))
     roof_y = roof(MAST_Z, math.pi / 2)[1]
@@ -396,17 +394,17 @@ def make_rails(node):
         a = math.pi * (k / 16)
         x, z = 0.42 * math.cos(a), -3.02 - 1.0 * math.sin(a) ** 0.8
         hoop.append((x, 1.56 + 0.05 * math.sin(a), z))
-    tube(steel, hoop, 0.0125, sides=6)
+    tube(steel, hoop, 0.0125, sides=8)
     for side in (-1, 1):
         for foot_z, top in ((-3.02, (0.42, 1.56, -3.02)), (-3.62, (0.30, 1.59, -3.72))):
             x = edge(foot_z)
             tube(steel, [(side * x, sheer(deck_t(foot_z)), foot_z), (side * top[0], top[1], top[2])],
-                 0.0125, sides=6)
+                 0.0125, sides=8)
         # Stanchions with two lifelines.
         tops, mids = [(side * 0.42, 1.55, -3.02)], [(side * (edge(-3.02) * 0.5 + 0.21), 1.26, -3.02)]
         for z in (-1.75, -0.45, 0.85, 2.15):
             x, y = edge(z), sheer(deck_t(z))
-            tube(steel, [(side * x, y, z), (side * (x - 0.01), y + 0.60, z)], 0.0115, sides=6)
+            tube(steel, [(side * x, y, z), (side * (x - 0.01), y + 0.60, z)], 0.0115, sides=8)
             lathe(steel, (side * x, y, z), [(0.024, 0.0), (0.018, 0.05), (0.012, 0.055)], 8)
             tops.append((side * (x - 0.01), y + 0.59, z))
             mids.append((side * x, y + 0.30, z))
@@ -424,13 +422,13 @@ def make_rails(node):
         path.append((0.34, gate[2] + 0.60, 3.74))
         path += [(0.30, gate[2] + 0.56, 3.745), (0.30, gate[2], 3.74)]
         path = [(side * x, y, z) for x, y, z in path]
-        tube(steel, path, 0.0125, sides=6)
+        tube(steel, path, 0.0125, sides=8)
         middle = [(x, y - 0.30, z) for x, y, z in path[:-2]]
         tube(steel, middle, 0.009, sides=6)
         for z in (gate[0], 3.56):
             x = edge(z)
             tube(steel, [(side * x, sheer(deck_t(z)), z), (side * (x - 0.01), gate[2] + 0.60, z)], 0.0125,
-                 sides=6)
+                 sides=8)
         name = "light_port" if side < 0 else "light_starboard"
         lathe(node.part(name), (side * 0.325, 1.605, -3.66), [(0.028, 0.0), (0.030, 0.05), (0.0, 0.062)], 10)
     lathe(node.part("light_stern"), (-0.40, 1.47, 3.74), [(0.026, 0.0), (0.028, 0.05), (0.0, 0.06)], 10)
@@ -459,7 +457,7 @@ def make_mast(node):
     for y in heights:
         c = chord(y)
         rings.append([(0.36 * c * math.cos(a), y, 0.5 * c * math.sin(a) - 0.5 * c + 0.07)
-                      for a in (2 * math.pi * k / 14 for k in range(14))])
+                      for a in (2 * math.pi * k / 24 for k in range(24))])
     surface(part, rings, wrap_v=True)
     polygon(part, rings[-1], (0.0, 1.0, 0.0))
     # The track of the mainsail: a dark slot down the after face.
@@ -505,7 +503,7 @@ def make_boom(node):
     rings = []
     for z, c in ((0.10, 0.11), (0.4, 0.13), (3.2, 0.13), (3.86, 0.11)):
         rings.append([(0.34 * c * math.cos(a), -0.10 + 0.5 * c * math.sin(a) + 0.012 * z, z)
-                      for a in (2 * math.pi * k / 14 for k in range(14))])
+                      for a in (2 * math.pi * k / 24 for k in range(24))])
     surface(part, rings, wrap_v=True, flip=True)
     polygon(part, rings[0], (0, 0, -1.0))
     polygon(part, rings[-1], (0, 0, 1.0))
@@ -611,7 +609,7 @@ def make_rudder(node):
     rows = [(root + 0.0, -0.13, 0.47), (root - 0.3, -0.12, 0.45), (root - 0.7, -0.10, 0.40),
             (root - 0.95, -0.085, 0.34)]
     foil(part, rows, 0.13)
-    tube(node.part("steel"), [(0, root - 0.2, 0), (0, 0.74, 0)], 0.022, sides=10)
+    tube(node.part("steel"), [(0, root - 0.2, 0), (0, 0.74, 0)], 0.022, sides=8)
 
 
 WHEEL = (0.0, 1.02, 2.34)  # its hub, on the pedestal's after side
@@ -636,17 +634,17 @@ def make_pedestal(node):
     rail += [(0.20 * math.cos(a), 1.05 + 0.24 * math.sin(a), z - 0.26) for a in
              (math.pi * k / 10 for k in range(1, 10))]
     rail += [(-0.20, 1.05, z - 0.26), (-0.20, 0.42, z - 0.26)]
-    tube(steel, rail, 0.0125, sides=8)
+    tube(steel, rail, 0.0125, sides=12)
 
 
 def make_wheel(node):
     """In the frame of the wheel node: origin at its hub, turning about z."""
     steel, wood = node.part("steel"), node.part("varnish")
-    rim, count = [], 36
+    rim, count = [], 60
     for k in range(count + 1):
         a = 2 * math.pi * k / count
         rim.append((WHEEL_RADIUS * math.cos(a), WHEEL_RADIUS * math.sin(a), 0.0))
-    tube(wood, rim, 0.016, sides=8, caps=False)
+    tube(wood, rim, 0.016, sides=12, caps=False)
     for k in range(6):
         a = 2 * math.pi * k / 6 + math.pi / 2
         tube(steel, [(0, 0, 0), (WHEEL_RADIUS * math.cos(a), WHEEL_RADIUS * math.sin(a), 0)], 0.008, sides=6)
@@ -698,6 +696,9 @@ MATERIALS = [
     material("wire", (0.42, 0.42, 0.43), 0.70, 0.3),
     material("window", (0.010, 0.012, 0.016), 0.08),
     material("black", (0.018, 0.018, 0.020), 0.50),
+    material("rope", (0.62, 0.58, 0.46), 0.85),
+    material("zinc", (0.50, 0.51, 0.52), 0.55, 0.8),
+    material("yellow", (0.85, 0.50, 0.02), 0.60),
     material("sail", (0.80, 0.79, 0.75), 0.80, doubleSided=True),
     material("flag", (0.80, 0.80, 0.80), 0.85, doubleSided=True),
     material("light_port", (0.30, 0.010, 0.010), 0.2, emissiveFactor=[1.0, 0.02, 0.02]),
@@ -733,6 +734,7 @@ def main():
     make_coachroof(deck)
     make_cockpit(deck)
     make_fittings(deck)
+    make_gear(deck, deck_y, roof)
     make_rails(root.add(Node("rails")))
     make_mast(root.add(Node("mast", (0.0, 0.0, MAST_Z))))
     make_rigging(root.add(Node("rigging")))
