@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "engine/core/angles.h"
 #include "engine/core/random.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/probe.h"
+
+#define OFFING_GLSL "shaders/lib/probe.glsl"
+#include "engine/core/glsl_double.h"
 
 namespace offing {
 namespace {
@@ -23,13 +27,17 @@ constexpr double kLeapAngle = 0.026, kLeapHaze = 0.02, kLeapHeight = 0.25;
 // Steps that start another generation.
 constexpr double kAngleStep = 1e-4, kHeightStep = 0.02, kLightStep = 1e-3, kWindStep = 0.25;
 
-// Texels per side of a level over those of level 0. The levels are of the roughnesses 0, 0.2 … 1.
-constexpr double kSideShare[kProbeLevels] = {1.0, 0.75, 0.5, 0.375, 0.25, 0.25};
+// Texels per side of a level over those of level 0, in 32nds.
+constexpr int kSides[kProbeLevels] = {32, 22, 22, 22, 20, 18, 14, 12, 8, 6};
+// Of the settings' samples: a narrow lobe needs few. Wider ones than these are sums over cells.
+constexpr double kSampleShare[] = {0.0, 0.25, 0.5, 1.0, 1.0, 1.0};
+constexpr int kGlossyLevels = std::size(kSampleShare);
+constexpr int kCellTexels = 4;  // per side of a cell
 
 // Nanoseconds per texel or cell, and per pair of texel and sample or cell, on a CPU renderer; only
 // their ratios matter.
-constexpr double kCaptureCost = 400.0, kSampleCost = 30.0, kCellCost = 150.0, kPairCost = 1.0,
-                 kIrradianceCost = 60.0;
+constexpr double kCaptureCost = 400.0, kSampleCost = 60.0, kMipCost = 60.0, kCellCost = 150.0,
+                 kPairCost = 1.0, kIrradianceCost = 60.0;
 
 std::int64_t steps_of(double value, double step) {
   return static_cast<std::int64_t>(std::llround(value / step));
@@ -43,7 +51,7 @@ std::uint64_t hash_direction(const glm::dvec3& d, double step) {
 
 ProbeSettings ProbeSettings::of_quality(int quality) {
   constexpr ProbeSettings kQualities[] = {
-      {64, 64, 16, 8}, {64, 128, 24, 8}, {128, 96, 32, 8}, {128, 128, 48, 8}};
+      {96, 64, 16}, {96, 96, 16}, {128, 96, 16}, {128, 128, 16}};
   return kQualities[std::clamp(quality, 0, 3)];
 }
 
@@ -65,15 +73,17 @@ struct Probe::Frame {
 Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
     : settings_(settings),
       capture_(shaders.program({"sky/probe_capture.comp"})),
+      mip_(shaders.program({"sky/probe_mip.comp"})),
       glossy_(shaders.program({"sky/probe_glossy.comp"})),
       cells_(shaders.program({"sky/probe_cells.comp"})),
       rough_(shaders.program({"sky/probe_rough.comp"})),
       irradiance_(shaders.program({"sky/probe_irradiance.comp"})),
       blend_(shaders.program({"sky/probe_blend.comp"})),
-      linear_("probe", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE) {
+      linear_("probe", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
+      mips_("probe mips", GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE) {
   int rows = 0;
-  for (const double share : kSideShare) {
-    const int side = static_cast<int>(share * settings_.size);
+  for (const int share : kSides) {
+    const int side = share * settings_.size / 32;
     levels_.emplace_back(0, rows, side, 0);
     rows += side;
   }
@@ -84,6 +94,10 @@ Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
     generation.irradiance =
         gl::Buffer("probe irradiance", shared::kProbeHarmonics * sizeof(glm::vec4));
   }
+  seen_mips_ = gl::Texture("probe seen", {.format = GL_RGBA32F,
+                                          .width = 2 * settings_.size,
+                                          .height = settings_.size,
+                                          .levels = shared::kProbeMips});
   cell_list_ = gl::Buffer("probe cells", cell_count() * 2 * sizeof(glm::vec4));
   shared::ProbeData data{};
   for (int i = 0; i < kProbeLevels; ++i) data.levels[i] = glm::vec4(levels_[i]);
@@ -93,6 +107,11 @@ Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
   next_slice_ = settings_.slices;
   plan_work();
 }
+
+int Probe::samples(int level) const {
+  return static_cast<int>(kSampleShare[level] * settings_.samples);
+}
+int Probe::cells() const { return settings_.size / kCellTexels; }
 
 void Probe::plan_work() {
   const auto level = [&](Kind kind, int index, double cost_per_texel) {
@@ -105,10 +124,12 @@ void Probe::plan_work() {
   };
   const auto cells = static_cast<double>(cell_count());
   level(Kind::kCapture, 0, kCaptureCost);
+  work_.push_back(
+      {Kind::kMips, 0, 0, 0, kMipCost * 2.0 / 3.0 * settings_.size * settings_.size, 0});
   work_.push_back({Kind::kCells, 0, 0, 0, kCellCost * cells, 0});
   work_.push_back({Kind::kIrradiance, 0, 0, 0, kIrradianceCost * cells, 0});
-  for (int i = 2; i < kProbeLevels; ++i) level(Kind::kRough, i, kPairCost * cells);
-  level(Kind::kGlossy, 1, kSampleCost * settings_.samples);
+  for (int i = 1; i < kGlossyLevels; ++i) level(Kind::kGlossy, i, kSampleCost * samples(i));
+  for (int i = kGlossyLevels; i < kProbeLevels; ++i) level(Kind::kRough, i, kPairCost * cells);
   double total = 0.0, done = 0.0;
   for (const Work& work : work_) total += work.cost;
   for (Work& work : work_) {
@@ -156,8 +177,8 @@ ProbeIds Probe::add(FrameGraph& graph, const SkyLight& light, double wind_speed,
               hash_direction(light.painted.zenith / (1e-9 + light.painted.zenith.y), kLightStep),
               hash_direction(light.painted.horizon / (1e-9 + light.painted.zenith.y), kLightStep),
               steps_of(wind_speed, kWindStep), clouds ? clouds->version + 1 : std::uint64_t{0},
-              capture_.generation() + glossy_.generation() + cells_.generation() +
-                  rough_.generation() + irradiance_.generation());
+              capture_.generation() + mip_.generation() + glossy_.generation() +
+                  cells_.generation() + rough_.generation() + irradiance_.generation());
   const auto angle = [](const glm::dvec3& a, const glm::dvec3& b) {
     return glm::length(glm::cross(a, b)) + (glm::dot(a, b) < 0.0 ? 1.0 : 0.0);
   };
@@ -230,15 +251,17 @@ void Probe::run(const Frame& frame, const PassContext& context) {
 }
 
 void Probe::run_slice(const Frame& frame, int slice, const Generation& into) {
-  into.map.bind(OFFING_UNIT_PROBE);
-  into.map.bind_image(0, GL_WRITE_ONLY);
+  seen_mips_.bind(OFFING_UNIT_PROBE);
+  mips_.bind(OFFING_UNIT_PROBE);
   into.irradiance.bind_storage(0);
   cell_list_.bind_storage(1);
   capture_.program().set(4, frame.clouds ? 1 : 0);
   for (const Work& work : work_) {
     if (work.slice != slice) continue;
     // It may read what the last one wrote.
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    into.map.bind_image(0, GL_WRITE_ONLY);
     dispatch(work);
   }
 }
@@ -254,38 +277,49 @@ void Probe::dispatch(const Work& work) const {
     glDispatchCompute(static_cast<GLuint>((2 * level.z + kGroupColumns - 1) / kGroupColumns),
                       static_cast<GLuint>((work.rows + rows_per_group - 1) / rows_per_group), 1);
   };
-  const double roughness = work.level / (kProbeLevels - 1.0);
+  const double roughness = glsl::probe_roughness(work.level / (kProbeLevels - 1.0));
   const auto alpha = static_cast<float>(roughness * roughness);
-  const auto cells = static_cast<int>(cell_count());
+  const auto cell_count_here = static_cast<int>(cell_count());
   switch (work.kind) {
     case Kind::kCapture:
+      seen_mips_.bind_image(1, GL_WRITE_ONLY);
       go(use(capture_), kGroupRows);
+      break;
+    case Kind::kMips:
+      mip_.use();
+      for (int mip = 1; mip < shared::kProbeMips; ++mip) {
+        seen_mips_.bind_image(0, GL_READ_ONLY, mip - 1);
+        seen_mips_.bind_image(1, GL_WRITE_ONLY, mip);
+        const int side = settings_.size >> mip;
+        glDispatchCompute(static_cast<GLuint>((2 * side + 7) / 8),
+                          static_cast<GLuint>((side + 7) / 8), 1);
+        glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+      }
       break;
     case Kind::kGlossy: {
       const gl::Program& program = use(glossy_);
-      program.set(1, levels_[0]);
       program.set(2, alpha);
-      program.set(3, settings_.samples);
-      program.set(5, levels_[2]);
+      program.set(3, samples(work.level));
       go(program, kGroupRows);
       break;
     }
     case Kind::kCells: {
       const gl::Program& program = use(cells_);
-      program.set(1, levels_[0]);
-      program.set(2, settings_.cells);
-      glDispatchCompute(static_cast<GLuint>((cells + 63) / 64), 1, 1);
+      seen_mips_.bind_image(0, GL_READ_ONLY);
+      program.set(2, cells());
+      program.set(3, kCellTexels);
+      glDispatchCompute(static_cast<GLuint>((cell_count_here + 63) / 64), 1, 1);
       break;
     }
     case Kind::kRough: {
       const gl::Program& program = use(rough_);
       program.set(2, alpha);
-      program.set(3, cells);
+      program.set(3, cell_count_here);
       go(program, kRowsPerRough);
       break;
     }
     case Kind::kIrradiance:
-      use(irradiance_).set(3, cells);
+      use(irradiance_).set(3, cell_count_here);
       glDispatchCompute(1, 1, 1);
       break;
   }

@@ -30,17 +30,16 @@ struct ProbeClouds {
 };
 
 struct ProbeSettings {
-  int size = 64;     ///< texels per side of each half of level 0; a multiple of 16
-  int samples = 48;  ///< directions from which a texel of the glossy level gathers its light
-  int cells = 32;    ///< per side of each half: what rough levels are sums over; a multiple of 8
-  int slices = 8;    ///< frames over which a refresh is spread, 1 or more
+  int size = 96;     ///< texels per side of each half of level 0; a multiple of 32
+  int samples = 48;  ///< directions from which a texel of a glossy level gathers its light
+  int slices = 16;   ///< frames over which a refresh is spread, 1 or more
 
   /// 0 low to 3 ultra.
   static ProbeSettings of_quality(int quality);
 };
 
 /// The reflection probe: sky, clouds and a mean sea as a surface at the camera mirrors them, for
-/// six roughnesses, and as it is lit by them (spherical harmonics).
+/// ten roughnesses, and as it is lit by them (spherical harmonics).
 ///
 /// While anything that it shows moves, one slice of the next generation is made in each frame;
 /// when that is whole, what is shown moves over to it at an even pace during as many frames again.
@@ -64,7 +63,7 @@ class Probe {
   const gl::Texture& map() const { return shown_; }
 
  private:
-  enum class Kind : std::uint8_t { kCapture, kGlossy, kCells, kRough, kIrradiance };
+  enum class Kind : std::uint8_t { kCapture, kMips, kGlossy, kCells, kRough, kIrradiance };
   /// One dispatch: some rows of one level of the map.
   struct Work {
     Kind kind;
@@ -84,10 +83,12 @@ class Probe {
   };
   struct Frame;
 
+  /// Per side of a half: what rough levels are sums over, a mip of what is seen.
+  int cells() const;
   std::size_t cell_count() const {
-    return 2 * static_cast<std::size_t>(settings_.cells) *
-           static_cast<std::size_t>(settings_.cells);
+    return 2 * static_cast<std::size_t>(cells()) * static_cast<std::size_t>(cells());
   }
+  int samples(int level) const;  ///< of a glossy one
   void plan_work();
   void run(const Frame& frame, const PassContext& context);
   void run_slice(const Frame& frame, int slice, const Generation& into);
@@ -96,6 +97,7 @@ class Probe {
 
   ProbeSettings settings_;
   const ShaderProgram& capture_;
+  const ShaderProgram& mip_;
   const ShaderProgram& glossy_;
   const ShaderProgram& cells_;
   const ShaderProgram& rough_;
@@ -104,9 +106,10 @@ class Probe {
   std::vector<Work> work_;
   std::vector<glm::ivec4> levels_;  ///< first texel, texels per side
   gl::Texture shown_;
+  gl::Texture seen_mips_;
   gl::Buffer block_, cell_list_;
   Generation generations_[2];
-  gl::Sampler linear_;
+  gl::Sampler linear_, mips_;
 
   // Where the refresh stands; moved on only where the pass runs.
   int building_ = 0;       ///< which generation; the other one is whole

@@ -30,6 +30,8 @@ constexpr double kLowestSine = -0.3256;
 
 constexpr int kDomeVertices = 96 * 3;  // as in dome.vert
 
+constexpr int kBandVertices = 72 * 20 * 6;  // as in milky_way.vert
+
 constexpr float kGlareReach = 16.0f;  // as in moon.frag
 constexpr float kCoronaReach = 8.0f;  // as in sun.frag
 constexpr double kEarthshine = 0.25;  // cd/m^2 on the moon at new moon
@@ -51,6 +53,11 @@ void dispatch_over(const gl::Texture& table) {
 
 glm::vec4 pack(const glm::dvec3& v, double w) {
   return glm::vec4(glm::vec3(v), static_cast<float>(w));
+}
+
+/// The moon adds nothing that the eye could see while the sun is up.
+bool lit_by_moon(const SkyLight& light) {
+  return light.moon_direction.y > kLowestSine && light.sun_direction.y < 0.05;
 }
 
 /// One star as stars.vert reads it.
@@ -91,17 +98,25 @@ Sky::Sky(ShaderLibrary& shaders, const SkySettings& settings)
       multiscatter_program_(shaders.program({"sky/multiscatter.comp"})),
       view_program_(
           shaders.program({"sky/view.comp"}, {{"STEPS", std::to_string(settings.steps)}})),
-      background_program_(shaders.program({"sky/dome.vert", "sky/background.frag"})),
-      distant_sea_program_(shaders.program({"sky/dome.vert", "sky/distant_sea.frag"})),
       sun_program_(shaders.program({"sky/disc.vert", "sky/sun.frag"})),
       moon_program_(shaders.program({"sky/disc.vert", "sky/moon.frag"})),
       stars_program_(shaders.program({"sky/stars.vert", "sky/stars.frag"})),
-      milky_way_program_(shaders.program({"sky/dome.vert", "sky/milky_way.frag"})),
+      milky_way_program_(shaders.program({"sky/milky_way.vert", "sky/milky_way.frag"})),
       linear_("sky tables", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
       around_("milky way", GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_CLAMP_TO_EDGE),
       block_("sky block", sizeof(shared::SkyData)),
       star_array_("stars"),
       no_vertices_("sky without vertices") {
+  for (int moon = 0; moon < 2; ++moon) {
+    for (int mode = 0; mode < 3; ++mode) {
+      const ShaderDefines what = {
+          {"SKY_MOON", moon == 1 ? "1" : "0"},
+          {"SKY_AIR", mode == static_cast<int>(PaletteMode::kReplace) ? "0" : "1"},
+          {"SKY_PAINTED", mode == static_cast<int>(PaletteMode::kOff) ? "0" : "1"}};
+      domes_[moon][mode] = {&shaders.program({"sky/dome.vert", "sky/background.frag"}, what),
+                            &shaders.program({"sky/dome.vert", "sky/distant_sea.frag"}, what)};
+    }
+  }
   transmittance_ = cleared("sky transmittance", kTransmittanceWidth, kTransmittanceHeight);
   multiscatter_ = cleared("sky multiscatter", kMultiscatterSize, kMultiscatterSize);
   sun_view_ = cleared("sky view of the sun", settings.width, settings.height);
@@ -186,8 +201,7 @@ SkyIds Sky::add_tables(FrameGraph& graph, const SkyLight& light) {
   const double coarse = light.camera_height < 100.0 ? 2.0 : 50.0;
   const double height_km = std::max(1.0, std::round(light.camera_height / coarse)) * coarse * 1e-3;
   const bool sun_lights = light.sun_direction.y > kLowestSine;
-  // The moon adds nothing that the eye could see while the sun is up.
-  const bool moon_lights = light.moon_direction.y > kLowestSine && light.sun_direction.y < 0.05;
+  const bool moon_lights = lit_by_moon(light);
   // The sun's view also holds what the air lets through of the night's glow: it is kept all night.
   add_view(graph, "sky.sun_view", sun_view_, sun_memory_,
            std::asin(std::max(light.sun_direction.y, kLowestSine)), height_km, aerosol, air,
@@ -235,6 +249,10 @@ void Sky::bind(const PassContext& context, const SkyIds& ids) const {
   context.buffer(ids.block).bind_uniform(OFFING_BIND_SKY);
 }
 
+const Sky::Dome& Sky::dome(const SkyLight& light) const {
+  return domes_[lit_by_moon(light) ? 1 : 0][static_cast<int>(light.painted.mode)];
+}
+
 void Sky::add_background(FrameGraph& graph, const SkyLight& light, const SkyIds& ids, TextureId hdr,
                          TextureId depth, bool visible) {
   const auto declare = [&](PassBuilder& pass) {
@@ -267,8 +285,9 @@ void Sky::add_background(FrameGraph& graph, const SkyLight& light, const SkyIds&
         bind(context, ids);
         no_vertices_.bind();
         glDisable(GL_BLEND);
-        background_program_.use();
-        background_program_.program().set(0, 1.0f);
+        const Dome& halves = dome(light);
+        halves.sky->use();
+        halves.sky->program().set(0, 1.0f);
         glDrawArrays(GL_TRIANGLES, 0, kDomeVertices);
 
         glEnable(GL_BLEND);
@@ -297,8 +316,8 @@ void Sky::add_background(FrameGraph& graph, const SkyLight& light, const SkyIds&
           glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
         }
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-        distant_sea_program_.use();
-        distant_sea_program_.program().set(0, -1.0f);
+        halves.sea->use();
+        halves.sea->program().set(0, -1.0f);
         glDrawArrays(GL_TRIANGLES, 0, kDomeVertices);
         glDisable(GL_BLEND);
         glDepthMask(GL_TRUE);
@@ -315,15 +334,15 @@ void Sky::add_background(FrameGraph& graph, const SkyLight& light, const SkyIds&
         glEnable(GL_BLEND);
         glBlendFunc(GL_ONE, GL_ONE);
         milky_way_program_.use();
-        const glm::dmat3 galactic = galactic_from_j2000() * glm::transpose(light.world_from_j2000);
-        milky_way_program_.program().set(0, 1.0f);
-        milky_way_program_.program().set(1, glm::mat4(glm::mat3(galactic)));
+        const glm::dmat3 world_from_galactic =
+            light.world_from_j2000 * glm::transpose(galactic_from_j2000());
+        milky_way_program_.program().set(0, glm::mat4(glm::mat3(world_from_galactic)));
         milky_way_program_.program().set(
-            2, pack(255.0 * MilkyWay::kUnit * milky_way_colour(), MilkyWay::kReach));
+            1, pack(255.0 * MilkyWay::kUnit * milky_way_colour(), MilkyWay::kReach));
         milky_way_.bind(0);
         around_.bind(0);
         no_vertices_.bind();
-        glDrawArrays(GL_TRIANGLES, 0, kDomeVertices);
+        glDrawArrays(GL_TRIANGLES, 0, kBandVertices);
 
         stars_program_.use();
         star_array_.bind();

@@ -52,12 +52,18 @@ class Sky {
   const ShaderProgram& transmittance_program_;
   const ShaderProgram& multiscatter_program_;
   const ShaderProgram& view_program_;
-  const ShaderProgram& background_program_;
-  const ShaderProgram& distant_sea_program_;
+  /// The two halves of the background for a sky of which it is known what there is of it.
+  struct Dome {
+    const ShaderProgram* sky;
+    const ShaderProgram* sea;
+  };
+  const Dome& dome(const SkyLight& light) const;
+
   const ShaderProgram& sun_program_;
   const ShaderProgram& moon_program_;
   const ShaderProgram& stars_program_;
   const ShaderProgram& milky_way_program_;
+  Dome domes_[2][3];  ///< [moon][PaletteMode]
   gl::Texture transmittance_, multiscatter_, sun_view_, moon_view_, milky_way_;
   gl::Sampler linear_, around_;
   gl::Buffer block_;

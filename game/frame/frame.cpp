@@ -147,7 +147,6 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   t.tonemap.add(graph, hdr, display,
                 {.curve = static_cast<ToneCurve>(view.exposure.curve),
                  .exposure = view.light.exposure,
-                 .count_nonfinite = true,
                  .glow_share = glare},
                 exposure, glow);
   return display;

@@ -6,6 +6,14 @@
 // and fine at the level with the square root of the sine, where a sky changes most. Values at the
 // square's edges lie in the centres of its outermost texels: both squares agree along the level.
 
+// Levels of roughness, 0 for a mirror to 1: the GGX width alpha = roughness^2 grows by about 2 from one
+// to the next, so that in between a straight line is right.
+const float kProbeSpacing = 0.5;
+float probe_level(float roughness) {
+  return roughness * (1.0 + kProbeSpacing) / (roughness + kProbeSpacing);
+}
+float probe_roughness(float level) { return kProbeSpacing * level / (1.0 + kProbeSpacing - level); }
+
 // Place of a direction (unit) in its square, 0 to 1.
 vec2 probe_units(vec3 direction) {
   float w = sqrt(max(1.0 - abs(direction.y), 0.0));

@@ -7,30 +7,23 @@ layout(binding = 0) uniform sampler2D hdr;
 layout(binding = 1) uniform sampler2D glow;
 layout(std430, binding = 1) readonly buffer State { ExposureState state; };
 layout(location = 0) uniform float exposure;
-layout(location = 2) uniform float glow_share;
-layout(location = 3) uniform int glows;  // 0 or 1
-layout(location = 1) uniform int night;  // 1 where any pixel that is not black may be seen by rods
-#ifdef COUNT_NONFINITE
+layout(location = 1) uniform float glow_share;
 layout(std430, binding = 0) buffer Count { uint nonfinite; };
-#endif
 layout(location = 0) out vec4 display;
 
 void main() {
   vec3 colour = texelFetch(hdr, ivec2(gl_FragCoord.xy), 0).rgb;
-  if (any(isnan(colour)) || any(isinf(colour))) {
-#ifdef COUNT_NONFINITE
+  // Finite half floats have a finite sum.
+  float sum = abs(colour.r) + abs(colour.g) + abs(colour.b);
+  if (isnan(sum) || isinf(sum)) {
     atomicAdd(nonfinite, 1u);
-#endif
     colour = vec3(0.0);
   }
-  // Loops, not ifs: a CPU renderer runs both sides of an if.
-  for (int i = 0; i < glows; ++i) {
-    vec2 at = gl_FragCoord.xy / vec2(textureSize(hdr, 0));
-    colour = mix(colour, textureLod(glow, at, 0.0).rgb, glow_share);
-  }
-  for (int i = 0; i < night; ++i) {
-    colour = night_sight(colour, rod_share(colour_luminance(colour) / exposure));
-  }
+  vec2 at = gl_FragCoord.xy / vec2(textureSize(hdr, 0));
+  colour = mix(colour, textureLod(glow, at, 0.0).rgb, glow_share);
+#ifdef NIGHT
+  colour = night_sight(colour, rod_share(colour_luminance(colour) / exposure));
+#endif
   colour *= state.factor;
 #ifdef EXPONENTIAL
   vec3 shown = tonemap_exponential(colour);

@@ -6,8 +6,9 @@ namespace offing::shared {
 using glm::vec4;
 #endif
 
-const int kProbeLevels = 6;  // of roughness: 0, 0.2 … 1
+const int kProbeLevels = 10;  // of roughness: see probe_level() of lib/probe.glsl
 const int kProbeHarmonics = 10;
+const int kProbeMips = 5;  // of what it sees, from which the levels are made
 
 struct ProbeData {
   // x, y: first texel; z: texels per side of its two squares, above the level and, right of it, below
@@ -17,6 +18,6 @@ struct ProbeData {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(ProbeData) == 17 * 16);
+static_assert(sizeof(ProbeData) == 21 * 16);
 }  // namespace offing::shared
 #endif

@@ -23,10 +23,9 @@ vec3 probe_radiance(vec3 direction, float roughness) {
   vec2 units = probe_units(direction);
   float below = direction.y < 0.0 ? 1.0 : 0.0;
   const float kSteps = float(kProbeLevels - 1);
-  float rough = clamp(roughness, 0.0, 1.0) * kSteps;
+  float rough = probe_level(clamp(roughness, 0.0, 1.0)) * kSteps;
   int first = min(int(rough), kProbeLevels - 2);
-  // In between in a straight line; next to the mirror by its square, alpha, which is how a small blur
-  // grows.
+  // Next to the mirror by the square, which is how a small blur grows.
   float share = rough - float(first);
   share = first == 0 ? share * share : share;
   return frame.sky_illuminance.rgb * mix(probe_read(first, units, below),

@@ -1,16 +1,16 @@
-// The glossiest level of the probe but for the mirror: its lobe is narrower than the cells of
-// probe_rough.comp, so it is sampled, in the order of a sunflower's seeds and for every texel alike.
+// A glossy level of the probe, whose lobe is narrower than the cells of probe_rough.comp: sampled in the
+// order of a sunflower's seeds, for every texel alike. Each sample reads the mip whose texels are as large
+// as the share of the lobe that it stands for (Krivanek & Colbert, "Real-time shading with filtered
+// importance sampling", EGSR 2008).
 #include "sky/probe_map.glsl"
 
 layout(local_size_x = 16, local_size_y = 4) in;
 layout(rgba16f, binding = 0) uniform writeonly image2D map;
 layout(location = 2) uniform float alpha;
 layout(location = 3) uniform int samples;
-layout(location = 5) uniform ivec4 rougher;  // the next level, made before this one
 
 const float kGoldenAngle = 2.39996323;
 const float kPi = 3.14159265;
-const float kNear = 0.92;  // share of the samples that lie within some 17 degrees
 
 void main() {
   ProbeTexel t = this_texel();
@@ -23,40 +23,32 @@ void main() {
   // about the jump between sky and sea.
   float steep = sqrt(max(1.0 - n.y * n.y, 1.0e-12));
   vec3 up_sum = vec3(0.0), down_sum = vec3(0.0);
-  float up_weight = 0.0, down_weight = 0.0, weights = 0.0, above = 0.0;
-  int near = int(kNear * float(samples));
-  for (int i = 0; i < near; ++i) {
+  float up_weight = 0.0, down_weight = 0.0, above = 0.0;
+  float a2 = alpha * alpha, size = mip_side();
+  for (int i = 0; i < samples; ++i) {
     // The facet's normal h (Walter et al. 2007, eq. 35); the direction is n mirrored in it.
     float u = (float(i) + 0.5) / float(samples);
-    float c2 = (1.0 - u) / (1.0 + (alpha * alpha - 1.0) * u);
+    float c2 = (1.0 - u) / (1.0 + (a2 - 1.0) * u);
     float weight = 2.0 * c2 - 1.0;  // n.l
-    float across = 2.0 * sqrt(c2 * (1.0 - c2));
-    float turn = kGoldenAngle * float(i);
-    vec3 l = weight * n + across * (cos(turn) * right + sin(turn) * ahead);
-    vec3 light = weight * read_level(source, probe_units(l), l.y < 0.0);
-    bool up = l.y >= 0.0;
-    up_sum += up ? light : vec3(0.0);
-    up_weight += up ? weight : 0.0;
-    down_sum += up ? vec3(0.0) : light;
-    down_weight += up ? 0.0 : weight;
-    weights += weight;
-    above += weight * acos(clamp(-weight * n.y / (across * steep), -1.0, 1.0));
-  }
-  above /= kPi * weights;
-  vec3 up_mean = up_sum / max(up_weight, 1.0e-6), down_mean = down_sum / max(down_weight, 1.0e-6);
-  above = up_weight <= 0.0 ? 0.0 : down_weight <= 0.0 ? 1.0 : above;
-  vec3 sum = weights * mix(down_mean, up_mean, above);
-  // Far out a sample stands for so much of the sky that it must be the mean of as much.
-  for (int i = near; i < samples; ++i) {
-    float u = (float(i) + 0.5) / float(samples);
-    float c2 = (1.0 - u) / (1.0 + (alpha * alpha - 1.0) * u);
-    float weight = 2.0 * c2 - 1.0;
     if (weight <= 0.0) break;
     float across = 2.0 * sqrt(c2 * (1.0 - c2));
     float turn = kGoldenAngle * float(i);
     vec3 l = weight * n + across * (cos(turn) * right + sin(turn) * ahead);
-    sum += weight * read_level(rougher, probe_units(l), l.y < 0.0);
-    weights += weight;
+    // It stands for a solid angle of 4 / (samples D(h)). A quarter of that: reading is bilinear.
+    vec2 units = probe_units(l);
+    float width = 1.0 + (a2 - 1.0) * c2;
+    float angle = 4.0 * kPi * width * width / (a2 * float(samples));
+    float level = 0.5 * log2(0.25 * angle * size * size / (probe_solid_angle(units) + 0.02));
+    bool up = l.y >= 0.0;
+    vec3 light = weight * read_mip(units, !up, level);
+    up_sum += up ? light : vec3(0.0);
+    up_weight += up ? weight : 0.0;
+    down_sum += up ? vec3(0.0) : light;
+    down_weight += up ? 0.0 : weight;
+    above += weight * acos(clamp(-weight * n.y / (across * steep), -1.0, 1.0));
   }
-  imageStore(map, t.place, vec4(sum / weights, 1.0));
+  above /= kPi * (up_weight + down_weight);
+  vec3 up_mean = up_sum / max(up_weight, 1.0e-6), down_mean = down_sum / max(down_weight, 1.0e-6);
+  above = up_weight <= 0.0 ? 0.0 : down_weight <= 0.0 ? 1.0 : above;
+  imageStore(map, t.place, vec4(mix(down_mean, up_mean, above), 1.0));
 }

@@ -1,14 +1,19 @@
-// Reading one region of the probe while another is made from it.
+// Making one level of the probe from the mips of what it sees.
 #include "lib/probe.glsl"
 #include "shared/bindings.h"
+#include "shared/probe.h"
 
-layout(binding = OFFING_UNIT_PROBE) uniform sampler2D map_so_far;
+layout(binding = OFFING_UNIT_PROBE) uniform sampler2D seen;  // two squares side by side
 layout(location = 0) uniform ivec4 region;  // to make: first texel, texels per side, first row
-layout(location = 1) uniform ivec4 source;  // to read: first texel, texels per side
 
-vec3 read_level(ivec4 level, vec2 units, bool below) {
-  vec2 at = vec2(level.xy) + 0.5 + units * float(level.z - 1) + vec2(below ? level.z : 0, 0.0);
-  return textureLod(map_so_far, at / vec2(textureSize(map_so_far, 0)), 0.0).rgb;
+float mip_side() { return float(textureSize(seen, 0).y); }
+
+vec3 read_mip(vec2 units, bool below, float level) {
+  float nearest = clamp(floor(level + 0.5), 0.0, float(kProbeMips - 1));
+  float side = mip_side(), half_texel = 0.5 * exp2(nearest) / side;
+  // Not across the seam between the squares.
+  vec2 at = clamp((0.5 + units * (side - 1.0)) / side, half_texel, 1.0 - half_texel);
+  return textureLod(seen, vec2(0.5 * (at.x + (below ? 1.0 : 0.0)), at.y), nearest).rgb;
 }
 
 struct ProbeTexel {

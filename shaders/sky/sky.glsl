@@ -10,6 +10,16 @@ layout(binding = OFFING_UNIT_SKY_MOON) uniform sampler2D sky_moon_table;
 
 #include "sky/palette.glsl"
 
+// What there is of the sky, each 0 or 1, as bounds of loops: a CPU renderer runs both sides of an if, and
+// by day half the cost of the sky would be a moon that nobody sees. Loops cost as much as what they hold
+// unless their bounds are known when they are compiled: a pass of many pixels has a program for each sky
+// (see Sky::background_program()).
+#ifndef SKY_MOON
+#define SKY_MOON int(sky.lights.x)
+#define SKY_AIR int(sky.lights.z)
+#define SKY_PAINTED int(sky.lights.w)
+#endif
+
 vec2 sky_table_at(float cosine_azimuth, float sine_above_horizon) {
   vec2 unit = sky_view_units(cosine_azimuth, sine_above_horizon);
   return 0.5 / sky.table_texels.xy + unit * (1.0 - 1.0 / sky.table_texels.xy);
@@ -22,9 +32,7 @@ vec3 physical_sky_radiance(vec3 direction) {
   float above = max(direction.y * sky.observer.z + sqrt(flat_length2) * sky.observer.y, 0.0);
   vec4 sun = textureLod(sky_sun_table, sky_table_at(dot(heading, sky.azimuths.xy), above), 0.0);
   vec3 radiance = sun.rgb * sky.sun_source.rgb + sun.a * sky.night.rgb;
-  // A loop that runs once or not at all, not an if: a CPU renderer runs both sides of an if, and by
-  // day half the cost of the sky would be a moon that nobody sees.
-  for (int i = 0; i < int(sky.lights.x); ++i) {
+  for (int i = 0; i < SKY_MOON; ++i) {
     vec2 at = sky_table_at(dot(heading, sky.azimuths.zw), above);
     radiance += textureLod(sky_moon_table, at, 0.0).rgb * sky.moon_source.rgb;
   }
@@ -34,10 +42,9 @@ vec3 physical_sky_radiance(vec3 direction) {
 // Radiance of the sky in cd/m^2 as linear sRGB, without discs and stars. A direction below the sea's
 // horizon gets the sky at the horizon there, so what fades into the distance fades into the sky.
 vec3 sky_radiance(vec3 direction) {
-  // Loops for the same reason.
   vec3 radiance = vec3(0.0);
-  for (int i = 0; i < int(sky.lights.z); ++i) radiance = physical_sky_radiance(direction);
-  for (int i = 0; i < int(sky.lights.w); ++i) radiance = painted_sky_radiance(direction, radiance);
+  for (int i = 0; i < SKY_AIR; ++i) radiance = physical_sky_radiance(direction);
+  for (int i = 0; i < SKY_PAINTED; ++i) radiance = painted_sky_radiance(direction, radiance);
   return radiance;
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/post/tonemap.h"
+
 #define OFFING_GLSL "shaders/lib/colour.glsl"
 #include "engine/core/glsl_double.h"
 #define OFFING_GLSL "shaders/lib/tonemap.glsl"
@@ -58,6 +60,25 @@ TEST(NightSight, WhiteKeepsItsLuminanceAndRedGoesDark) {
   EXPECT_NEAR(colour_luminance(night_sight(vec3(0.2), 1.0)), 0.2, 0.001);
   const vec3 day(0.3, 0.2, 0.1);
   EXPECT_EQ(night_sight(day, 0.0), day);
+}
+
+TEST(NightSight, IsBelowHalfAStepByDay) {
+  // At the exposure up to which it is left out, shown four times as bright; where all light has one
+  // primary the change of colour is greatest.
+  double most = 0.0;
+  for (double luminance = 1e-3; luminance < 4.0; luminance *= 1.1) {
+    for (const vec3 tint : {vec3(1), vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), vec3(1, 1, 0)}) {
+      const vec3 c = tint * (4.0 * kFirstNight * luminance / colour_luminance(tint));
+      const vec3 day = tonemap_filmic(c),
+                 night = tonemap_filmic(night_sight(c, rod_share(luminance)));
+      for (int k = 0; k < 3; ++k) {
+        most =
+            std::max(most, 255.0 * std::abs(srgb_from_linear(day[k]) - srgb_from_linear(night[k])));
+      }
+    }
+  }
+  EXPECT_LT(most, 0.5);
+  EXPECT_GT(most, 0.05);  // else it could begin later
 }
 
 TEST(Dither, IsEvenAndWithinHalfAStep) {

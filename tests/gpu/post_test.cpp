@@ -60,7 +60,7 @@ TEST_F(PostTest, CountsAndBlackensWhatIsNotFinite) {
   pixels[4 * 70 + 1] = std::numeric_limits<float>::infinity();
   pixels[4 * 200 + 2] = -std::numeric_limits<float>::infinity();
   std::uint32_t count = 0;
-  const auto values = show(pixels, {.exposure = kDay, .count_nonfinite = true}, &count);
+  const auto values = show(pixels, {.exposure = kDay}, &count);
   EXPECT_EQ(count, 3u);
   EXPECT_LE(values[4 * 5 + 1], 1.0f);
   EXPECT_GT(values[4 * 6 + 1], 100.0f);

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 
 #include "engine/core/angles.h"
 #include "engine/environment/calendar.h"
@@ -82,13 +81,27 @@ class ProbeTest : public test::GraphTest {
 };
 
 TEST_F(ProbeTest, RoughMirrorsAgreeWithBruteForce) {
-  // The first frame is whole. Roughness 0.2 is the one level that is sampled.
-  const std::map<float, double> bounds = {{0.0f, 0.02}, {0.2f, 0.04}, {0.4f, 0.02},
-                                          {0.6f, 0.02}, {0.8f, 0.02}, {1.0f, 0.02}};
-  for (const auto& [roughness, bound] : bounds) {
+  // The first frame is whole. Most of these lie between two levels of the map.
+  for (const float roughness : {0.0f, 0.07f, 0.15f, 0.2f, 0.25f, 0.33f, 0.4f, 0.6f, 0.8f, 1.0f}) {
     const auto answers =
         frame(sun_at(240.0, 50.0), queries_all_round(96, roughness), roughness == 0.0f ? 1 : 4096);
-    EXPECT_LT(relative_rms(answers), bound) << roughness;
+    EXPECT_LT(relative_rms(answers), 0.02) << roughness;
+  }
+}
+
+TEST_F(ProbeTest, ALowSunsGlowIsKept) {
+  // The mean is that of the whole sphere, fifteen times less than the glow beside the sun: one
+  // direction there that is off by a tenth counts for most of it.
+  for (const float roughness : {0.15f, 0.3f, 0.5f, 1.0f}) {
+    const auto answers = frame(sun_at(240.0, 6.0), queries_all_round(96, roughness), 4096);
+    EXPECT_LT(relative_rms(answers), roughness < 0.4f ? 0.09 : 0.035) << roughness;
+    double most = 0.0, shown = 0.0;
+    for (const ProbeAnswer& answer : answers) {
+      if (luminance(answer.reference) <= most) continue;
+      most = luminance(answer.reference);
+      shown = luminance(answer.probe);
+    }
+    EXPECT_NEAR(shown / most, 1.0, 0.05) << roughness;
   }
 }
 
@@ -151,14 +164,17 @@ TEST_F(ProbeTest, NeitherFlickersNorJumpsAsTheSunSets) {
       logs[q].push_back(std::log(luminance(answers[q].probe)));
     }
   }
+  double worst = 0.0;
   for (std::size_t q = 0; q < queries.size(); ++q) {
     for (std::size_t i = 1; i + 1 < logs[q].size(); ++i) {
       const double bend = logs[q][i + 1] - 2.0 * logs[q][i] + logs[q][i - 1];
       // The pace changes a little where one generation follows another; one that was shown at once
-      // would bend by the change of eight frames, 0.2 and more.
-      EXPECT_LT(std::abs(bend), 0.05) << "query " << q << " frame " << i;
+      // would bend by the change of sixteen frames, 0.4 and more.
+      worst = std::max(worst, std::abs(bend));
+      EXPECT_LT(std::abs(bend), 0.04) << "query " << q << " frame " << i;
     }
   }
+  RecordProperty("worst_bend", std::to_string(worst));
 }
 
 TEST_F(ProbeTest, ALeapInTimeIsShownAtOnce) {
