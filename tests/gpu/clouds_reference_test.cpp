@@ -62,8 +62,9 @@ TEST_F(CloudReferenceTest, TheLightModelComesNearToThePathTracer) {
   const FrameView day = view({});
   const CloudSightings model = run.reference(day), traced = run.path_trace(day, 32);
   EXPECT_NEAR(mean_light(model) / mean_light(traced), 1.0, 0.15);
-  // A path either meets a cloud or does not: only the mean is free of that noise.
-  EXPECT_NEAR(mean_transmittance(model), mean_transmittance(traced), 0.02);
+  // A path either meets a cloud or does not: only the mean is free of that noise. The reference
+  // smooths noise to the width of a pixel, here 100 m at 5 km, which thins out edges.
+  EXPECT_NEAR(mean_transmittance(model), mean_transmittance(traced), 0.05);
 }
 
 TEST_F(CloudReferenceTest, ParametersAtTheirLimitsGiveFinitePictures) {
