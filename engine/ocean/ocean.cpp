@@ -23,6 +23,7 @@ constexpr double kAtOnce = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMaxSquares = 8192;
 constexpr double kFoamLength = 7.3;  // m across the wind; no multiple of a cascade's length
 constexpr int kFoamTexels = 256;
+constexpr int kHorizonTexels = 256;         // of the sky's strip
 constexpr double kTallestWave = 1.5;        // over Hs: none in a day's 10 000 waves is higher
 constexpr double kFarthestInWater = 250.0;  // m: no surface is seen from below beyond that
 
@@ -36,11 +37,17 @@ double fraction(double x) { return x - std::floor(x); }
 
 ShaderDefines mesh_defines(const OceanSettings& settings) {
   return {{"MORPH", std::to_string(SeaMesh::kMorph)},
-          {"FOOTPRINT_RATIO", settings.mesh_cells <= 8 ? "3.0" : "4.0"}};
+          {"FOOTPRINT_RATIO", settings.mesh_cells <= 8 ? "4.0" : "5.0"}};
 }
 
 ShaderDefines two_sided(ShaderDefines defines) {
   defines.emplace_back("TWO_SIDED", "1");
+  return defines;
+}
+
+ShaderDefines surface_defines(const OceanSettings& settings, bool hull) {
+  ShaderDefines defines{{"CASCADES", std::to_string(settings.cascades)}};
+  if (hull) defines.emplace_back("HULL", "");
   return defines;
 }
 
@@ -75,7 +82,11 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
           shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"}, mesh_defines(settings))),
       two_sided_mesh_program_(shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"},
                                               two_sided(mesh_defines(settings)))),
-      surface_(shaders.program({"post/full_screen.vert", "ocean/surface.frag"})),
+      surface_(shaders.program({"post/full_screen.vert", "ocean/surface.frag"},
+                               surface_defines(settings, false))),
+      surface_over_hull_(shaders.program({"post/full_screen.vert", "ocean/surface.frag"},
+                                         surface_defines(settings, true))),
+      horizon_(shaders.program({"post/full_screen.vert", "ocean/air.frag"})),
       squares_("sea.squares", kMaxSquares * sizeof(SeaMesh::Square)),
       block_("sea.block", sizeof(shared::OceanData)),
       array_("sea.mesh"),
@@ -279,7 +290,7 @@ void Ocean::bind_surface(const PassContext& context, const SeaIds& sea) const {
 }
 
 void Ocean::unbind_samplers() {
-  for (const GLuint unit : {0u, 1u, 2u, GLuint{OFFING_UNIT_GUSTS}, GLuint{OFFING_UNIT_FOAM},
+  for (const GLuint unit : {0u, 1u, 2u, 4u, GLuint{OFFING_UNIT_GUSTS}, GLuint{OFFING_UNIT_FOAM},
                             GLuint{OFFING_UNIT_SEA_ROUGHNESS}}) {
     glBindSampler(unit, 0);
   }
@@ -390,28 +401,50 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
                            from.width(), from.height(), 1);
       });
 
+  const TextureId horizon =
+      graph.create("sea.air", {.format = GL_RGBA32F, .width = kHorizonTexels, .height = 1});
+  graph.add(
+      "sea.air",
+      [&](PassBuilder& pass) {
+        sky.declare(pass);
+        pass.write(horizon, Access::kAttachment).render_to({horizon});
+        pass.skip_if(nothing_in_view || submerged);
+      },
+      [this, bind_sky = sky.bind](const PassContext& context) {
+        bind_sky(context);
+        horizon_.use();
+        horizon_.program().set(0, static_cast<float>(kHorizonTexels));
+        glDisable(GL_DEPTH_TEST);
+        glDisable(GL_BLEND);
+        no_vertices_.bind();
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+      });
+
   graph.add(
       "sea.draw",
       [&](PassBuilder& pass) {
-        pass.read(sea.displacement).read(sea.slopes).read(above).read(foam).read(dry);
-        if (hull_shows) pass.read(hull);
+        pass.read(sea.displacement).read(sea.slopes).read(above).read(foam).read(horizon);
+        if (hull_shows) pass.read(hull).read(dry);
         sky.declare(pass);
         pass.modify(hdr).render_to({hdr});
         pass.skip_if(nothing_in_view || submerged);
       },
-      [this, sea, above, foam, dry, hull, hull_shows,
+      [this, sea, above, foam, horizon, dry, hull, hull_shows,
        bind_sky = sky.bind](const PassContext& context) {
         bind_surface(context, sea);
         context.texture(above).bind(3);
-        context.texture(dry).bind(5);
-        if (hull_shows) context.texture(hull).bind(6);
+        context.texture(horizon).bind(4);
+        wrap_sampler_.bind(4);
+        if (hull_shows) {
+          context.texture(dry).bind(5);
+          context.texture(hull).bind(6);
+        }
         gusts_.bind(OFFING_UNIT_GUSTS);
         wrap_sampler_.bind(OFFING_UNIT_GUSTS);
         context.texture(foam).bind(OFFING_UNIT_FOAM);
         wrap_sampler_.bind(OFFING_UNIT_FOAM);
         bind_sky(context);
-        surface_.use();
-        surface_.program().set(0, hull_shows ? 1 : 0);
+        (hull_shows ? surface_over_hull_ : surface_).use();
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_BLEND);
         no_vertices_.bind();

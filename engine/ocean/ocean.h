@@ -126,6 +126,8 @@ class Ocean {
   const ShaderProgram& mesh_program_;
   const ShaderProgram& two_sided_mesh_program_;  ///< tells from which side water is seen
   const ShaderProgram& surface_;
+  const ShaderProgram& surface_over_hull_;  ///< where one shows through the water
+  const ShaderProgram& horizon_;            ///< the sky's strip
   gl::Buffer vertices_, indices_, squares_, block_;
   gl::VertexArray array_, no_vertices_;
   gl::Sampler map_sampler_, foam_sampler_;
