@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "engine/clouds/cloud_effects.h"
 #include "engine/core/fields.h"
 
 namespace offing {
@@ -52,6 +53,8 @@ struct CloudParameters {
   double shear = 0.25;                ///< lean of the clouds, m per m of height
   double evolution = 1.0;             ///< how fast clouds come and go
   std::string weather_picture;        ///< file in place of the procedural weather; empty: none
+
+  CloudEffects effects;  ///< on the rest of the scene
 
   /// The scene keys clouds.*, bound to this object.
   void describe(FieldTable& table);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "engine/clouds/weather_noise.h"
 #include "engine/core/error.h"
 #include "engine/core/random.h"
 #include "engine/io/image.h"
@@ -19,17 +20,7 @@ namespace {
 
 constexpr int kLargestPicture = 4096;
 
-double fraction(double x) { return x - std::floor(x); }
 GLuint groups(int size) { return static_cast<GLuint>((size + 7) / 8); }
-
-/// Where a pattern lies at a time: a random place that wanders, in periods.
-glm::vec2 offset(std::uint64_t seed, std::uint64_t pattern, double elapsed, double speed) {
-  const double way = 6.283185307179586 * random_uniform(seed, 100 + pattern, 2);
-  const double moved = elapsed * speed / WeatherMap::kPeriod;
-  return glm::vec2(
-      glm::dvec2(fraction(random_uniform(seed, 100 + pattern, 0) + moved * std::cos(way)),
-                 fraction(random_uniform(seed, 100 + pattern, 1) + moved * std::sin(way))));
-}
 
 gl::Texture plane(const char* label, int side) {
   return {label, {.format = GL_RGBA8, .width = side, .height = side}};
@@ -89,9 +80,9 @@ WeatherMap::Ids WeatherMap::add(FrameGraph& graph, TextureId patterns, const Clo
   const Ids ids{graph.import(weather_), graph.import(most_)};
   // In steps of the clock: the map costs a millisecond, and clouds change slowly.
   const double time = parameters.evolution * kStep * std::floor(elapsed / kStep);
-  const glm::vec2 cells = offset(seed, 0, time, 0.6), finer = offset(seed, 1, time, 1.1);
-  const glm::vec2 fronts = offset(seed, 2, time, 1.6), patches = offset(seed, 3, time, 0.3);
-  const std::array<glm::vec4, 2> offsets = {glm::vec4(cells, finer), glm::vec4(fronts, patches)};
+  const WeatherOffsets at = weather_offsets(seed, time);
+  const std::array<glm::vec4, 2> offsets = {glm::vec4(glm::dvec4(at.cells, at.finer)),
+                                            glm::vec4(glm::dvec4(at.fronts, at.patches))};
   const bool drawn = !picture_file_.empty();
   const glm::vec4 state(
       glm::dvec4(weather.cover, weather.type, weather.precipitation, drawn ? 1.0 : 0.0));

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "engine/clouds/cloud_parameters.h"
+#include "engine/clouds/weather_noise.h"
 #include "engine/environment/environment.h"
 #include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
@@ -17,7 +18,7 @@ double tallest_cloud(const Clouds& weather);
 /// Carried by the wind as a whole (CloudData::weather) while its parts come and go.
 class WeatherMap {
  public:
-  static constexpr double kPeriod = 42000.0;  ///< m
+  static constexpr double kPeriod = kWeatherPeriod;  ///< m
   static constexpr int kTexels = 256, kCells = 64;
 
   explicit WeatherMap(ShaderLibrary& shaders);

@@ -1,7 +1,11 @@
 #include "engine/clouds/weather_noise.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+
+#include "engine/core/angles.h"
+#include "engine/core/random.h"
 
 #define OFFING_GLSL "shaders/lib/noise.glsl"
 #include "engine/core/glsl_double.h"
@@ -50,6 +54,17 @@ std::vector<std::uint8_t> make_weather_noise(int size) {
     }
   }
   return pixels;
+}
+
+WeatherOffsets weather_offsets(std::uint64_t seed, double time) {
+  const auto offset = [&](std::uint64_t pattern, double speed) {
+    const double way = kTau * random_uniform(seed, 100 + pattern, 2);
+    const double moved = time * speed / kWeatherPeriod;
+    const glm::dvec2 at(random_uniform(seed, 100 + pattern, 0) + moved * std::cos(way),
+                        random_uniform(seed, 100 + pattern, 1) + moved * std::sin(way));
+    return at - glm::floor(at);
+  };
+  return {offset(0, 0.6), offset(1, 1.1), offset(2, 1.6), offset(3, 0.3)};
 }
 
 }  // namespace offing

@@ -97,6 +97,7 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
       wrap_sampler_("sea.wrapped", GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
       foam_(make_foam_pattern(kFoamTexels)),
       gusts_(make_gusts()),
+      squalls_("sea.squalls", {.format = GL_R16F}),
       roughness_("sea.roughness",
                  {.format = GL_RGBA32F, .width = shared::kRoughnessEntries, .height = 1}),
       foam_map_(shaders, settings.foam_size),
@@ -264,6 +265,11 @@ void Ocean::update_block(const OceanView& view) {
   const glm::dvec2 gust = (view.eye - view.gust_origin) / GustField::kPeriod;
   data.gust = glm::vec4(glm::dvec4(fraction(gust.x), fraction(gust.y), 1.0 / GustField::kPeriod,
                                    GustField::kIntensity * view.gusts));
+  if (view.squalls && view.squalls->any()) {
+    const double period = view.squalls->period();
+    const glm::dvec2 squall = (view.eye - view.squall_corner) / period;
+    data.squall = glm::vec4(glm::dvec4(fraction(squall.x), fraction(squall.y), 1.0 / period, 1.0));
+  }
 
   const glsl::WaterOptics body = glsl::water_optics(view.chlorophyll);
   const glm::dvec3 extinction = body.absorption + 30.0 * body.backscatter;
@@ -289,9 +295,18 @@ void Ocean::bind_surface(const PassContext& context, const SeaIds& sea) const {
   block_.bind_uniform(OFFING_BIND_OCEAN);
 }
 
+void Ocean::show_squalls(const std::shared_ptr<const SquallField>& squalls) {
+  if (!squalls || !squalls->any() || squalls == squalls_shown_) return;
+  const gl::TextureDesc desc{
+      .format = GL_R16F, .width = squalls->size(), .height = squalls->size()};
+  if (squalls_.desc() != desc) squalls_ = gl::Texture("sea.squalls", desc);
+  squalls_.upload(GL_RED, GL_FLOAT, squalls->strength().data());
+  squalls_shown_ = squalls;
+}
+
 void Ocean::unbind_samplers() {
-  for (const GLuint unit : {0u, 1u, 2u, 4u, GLuint{OFFING_UNIT_GUSTS}, GLuint{OFFING_UNIT_FOAM},
-                            GLuint{OFFING_UNIT_SEA_ROUGHNESS}}) {
+  for (const GLuint unit : {0u, 1u, 2u, 4u, GLuint{OFFING_UNIT_GUSTS}, GLuint{OFFING_UNIT_SQUALLS},
+                            GLuint{OFFING_UNIT_FOAM}, GLuint{OFFING_UNIT_SEA_ROUGHNESS}}) {
     glBindSampler(unit, 0);
   }
 }
@@ -348,6 +363,7 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
     if (squares.size() > kMaxSquares) squares.resize(kMaxSquares);
   }
   const bool nothing_in_view = squares.empty();
+  show_squalls(view.squalls);
   gl::TextureDesc seen_desc = graph.desc(hdr);
   const TextureId hull = graph.create("sea.hull", seen_desc);
   seen_desc.format = GL_RGBA32F;
@@ -440,6 +456,8 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
           context.texture(hull).bind(6);
         }
         gusts_.bind(OFFING_UNIT_GUSTS);
+        squalls_.bind(OFFING_UNIT_SQUALLS);
+        wrap_sampler_.bind(OFFING_UNIT_SQUALLS);
         wrap_sampler_.bind(OFFING_UNIT_GUSTS);
         context.texture(foam).bind(OFFING_UNIT_FOAM);
         wrap_sampler_.bind(OFFING_UNIT_FOAM);

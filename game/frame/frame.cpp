@@ -53,6 +53,8 @@ OceanView ocean_view(const FrameView& view, const Techniques& t, Lens lens) {
   sea.hull_in_view = t.boat.in_view(view.boat, view.frame);
   sea.gusts = view.frame.wind.y;
   sea.gust_origin = view.gust_origin;
+  sea.squalls = view.squalls;
+  sea.squall_corner = view.squall_corner;
   sea.chlorophyll = view.chlorophyll;
   sea.lens = lens;
   return sea;
@@ -134,7 +136,7 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   t.sky.add_background(graph, view.light, sky, hdr, depth, sky_visible);
   t.gardner.add(graph, gardner, view.light, t.sky, sky, hdr, depth);
   t.clouds.add_picture(graph, clouds, view.clouds, cloud_camera(view), t.sky, sky, hdr, depth,
-                       sky_visible);
+                       sky_visible, wet != Lens::kSubmerged);
   t.ocean.add_underwater(graph, view.underwater, sea, light, under, hdr);
 
   const BufferId exposure = t.exposure.add(graph, hdr,

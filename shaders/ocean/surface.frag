@@ -19,6 +19,7 @@ layout(binding = 6) uniform sampler2D hull;  // the picture so far
 #endif
 layout(binding = 4) uniform sampler2D horizon_sky;  // see air.frag
 layout(binding = OFFING_UNIT_GUSTS) uniform sampler2D gusts;
+layout(binding = OFFING_UNIT_SQUALLS) uniform sampler2D squalls;
 
 const int kMostBreaking = min(CASCADES, 2);  // cascades whose waves can be long enough to break
 const float kFoamAlbedo = 0.55;  // fresh whitecaps, Koepke 1984
@@ -57,6 +58,9 @@ Surface read_surface(vec2 parameter, float footprint) {
   // Ripples answer a gust at once, and steeply: their growth goes with the square of the wind's pull
   // (Plant 1982), so do the cat's paws that sailors look for.
   float gust = 1.0 + ocean.gust.w * textureLod(gusts, ocean.gust.xy + parameter * ocean.gust.z, 0.0).r;
+  for (int i = 0; i < int(ocean.squall.w); ++i) {  // under rain
+    gust += textureLod(squalls, ocean.squall.xy + parameter * ocean.squall.z, 0.0).r;
+  }
   surface.covariance = sea_missing(size).xyz * clamp(gust * gust * gust, 0.2, 3.0);
   return surface;
 }
