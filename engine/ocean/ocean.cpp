@@ -67,7 +67,7 @@ OceanSettings OceanSettings::of_quality(int quality) {
   settings.quality = quality;
   settings.size = quality <= 0 ? 128 : 256;
   settings.mesh_cells = quality <= 0 ? 8 : quality == 1 ? 14 : quality == 2 ? 22 : 32;
-  settings.cascades = quality >= 3 ? 4 : 3;
+  settings.cascades = quality <= 0 ? 3 : quality <= 2 ? 4 : 5;
   settings.foam_size = quality <= 0 ? 128 : 256;
   return settings;
 }

@@ -25,8 +25,10 @@ vec2 sea_foam_share(vec2 q, float size) {
   // the next; after the last the sea's mean.
   float wide = 0.5 * log2(max(reach * ocean.foam_map[0].z / kFoamReach, 1.0e-6));
   float layer = clamp(ceil(wide), 0.0, float(kFoamLayers));
-  vec2 inner = sea_foam_layer(q, layer), outer = sea_foam_layer(q, layer + 1.0);
-  return mix(inner, outer, smoothstep(-0.16, 0.0, wide - layer));
+  vec2 share = sea_foam_layer(q, layer);
+  float next = smoothstep(-0.16, 0.0, wide - layer);
+  for (int i = 0; i < int(next > 0.0); ++i) share = mix(share, sea_foam_layer(q, layer + 1.0), next);
+  return share;
 }
 
 // The pattern at a place and a factor of it, less its mean; `fineness`: log2 texels of the pattern itself.
