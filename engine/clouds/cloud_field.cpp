@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kEarthDiameter = 2.0 * 6.36e6;  // m, as in lib/scattering.glsl
 // Periods without a common multiple within sight, m.
-constexpr double kShapePeriod = 4300.0, kDetailPeriod = 330.0, kCurlPeriod = 1900.0;
+constexpr double kShapePeriod = 3300.0, kDetailPeriod = 260.0, kCurlPeriod = 1900.0;
 constexpr double kCurlReach = 90.0;
 /// Bases of different clouds lie this far apart at most, by type, m.
 constexpr double kBaseSpread = 190.0;
@@ -36,9 +36,7 @@ shared::CloudData cloud_data(const CloudView& view, const SkyLight& light) {
   const double type = weather.type;
   const double base = cloud_base(view);
   const double spread = kBaseSpread * glsl::cloud_blend(0.25, 0.6, 1.0, type) * base / 700.0;
-  // The tallest that any column can be: types scatter about the global one.
-  const double tallest =
-      glsl::cloud_kind(std::min(type + 0.15, 1.0), weather.precipitation).thickness;
+  const double tallest = tallest_cloud(weather);
   data.eye = pack(view.eye.y, 1.0 / kEarthDiameter, weather.cover > 0.0 ? 1.0 : 0.0, 0.0);
   data.layer =
       pack(base - spread, base + spread + 1.06 * tallest * p.scale, p.extinction * p.density, base);

@@ -12,6 +12,9 @@
 #include "engine/core/random.h"
 #include "engine/io/image.h"
 
+#define OFFING_GLSL "shaders/lib/clouds.glsl"
+#include "engine/core/glsl_double.h"
+
 namespace offing {
 namespace {
 
@@ -25,11 +28,16 @@ gl::Texture plane(const char* label, int side) {
 
 }  // namespace
 
+double tallest_cloud(const Clouds& weather) {
+  // Types scatter about the global one.
+  return glsl::cloud_kind(std::min(weather.type + 0.15, 1.0), weather.precipitation).thickness;
+}
+
 WeatherMap::WeatherMap(ShaderLibrary& shaders)
     : weather_program_(shaders.program({"clouds/weather.comp"})),
       most_program_(shaders.program({"clouds/most.comp"})),
       weather_(plane("clouds weather", kTexels)),
-      most_(plane("clouds most", kCells)),
+      most_("clouds most", {.format = GL_R8, .width = kCells, .height = kCells}),
       picture_(plane("clouds weather picture", 1)),
       repeating_("clouds weather", GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT) {}
 
@@ -78,16 +86,18 @@ WeatherMap::Ids WeatherMap::add(FrameGraph& graph, TextureId patterns, const Clo
   const bool drawn = !picture_file_.empty();
   const glm::vec4 state(
       glm::dvec4(weather.cover, weather.type, weather.precipitation, drawn ? 1.0 : 0.0));
+  const glm::vec4 form(glm::dvec4(1.0 - weather.cover, parameters.density_threshold,
+                                  parameters.roughness, 1.06 * tallest_cloud(weather)));
   graph.add(
       "clouds.weather",
       [&](PassBuilder& pass) {
         pass.read(patterns)
             .write(ids.weather)
             .write(ids.most)
-            .cache(memory_, hash_of(offsets, state, weather_program_.generation(),
+            .cache(memory_, hash_of(offsets, state, form, weather_program_.generation(),
                                     most_program_.generation()));
       },
-      [this, patterns, offsets, state](const PassContext& context) {
+      [this, patterns, offsets, state, form](const PassContext& context) {
         weather_program_.use();
         for (int i = 0; i < 2; ++i) {
           weather_program_.program().set(i, offsets[static_cast<std::size_t>(i)]);
@@ -102,6 +112,7 @@ WeatherMap::Ids WeatherMap::add(FrameGraph& graph, TextureId patterns, const Clo
         glDispatchCompute(groups(kTexels), groups(kTexels), 1);
         glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
         most_program_.use();
+        most_program_.program().set(0, form);
         weather_.bind(0);
         most_.bind_image(0, GL_WRITE_ONLY);
         glDispatchCompute(groups(kCells), groups(kCells), 1);

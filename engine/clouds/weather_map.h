@@ -11,6 +11,9 @@
 
 namespace offing {
 
+/// The thickness of the tallest cloud that a weather can hold, m, at the clouds' usual scale.
+double tallest_cloud(const Clouds& weather);
+
 /// Which clouds stand where: a tileable map of coverage, type, height of the bases and rain.
 /// Carried by the wind as a whole (CloudData::weather) while its parts come and go.
 class WeatherMap {
@@ -22,7 +25,7 @@ class WeatherMap {
 
   struct Ids {
     TextureId weather;  ///< RGBA8: coverage (evenly distributed), type, base, rain
-    TextureId most;     ///< RGBA8: see clouds/most.comp
+    TextureId most;     ///< R8: see clouds/most.comp
   };
   /// Adds clouds.weather, which runs when the weather has changed, and at most every kStep seconds
   /// of the clock. Throws InputError where a picture is asked for that cannot be read.

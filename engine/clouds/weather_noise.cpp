@@ -18,10 +18,10 @@ namespace {
 double channel(int c, const glm::dvec3& at, int size) {
   switch (c) {
     case 0: {
-      // Rounded cells that stand in groups: both have to be there.
-      const double cells = glsl::cellular_octaves({20, 2, 0.45, 2, 1.0}, at, size, 1);
-      const double groups = glsl::gradient_octaves({5, 3, 0.5, 2, 0.0}, at, size, 2);
-      return cells + 1.1 * groups;
+      // Heaps of several sizes that stand in groups with clear lanes between them.
+      const double cells = glsl::cellular_octaves({13, 3, 0.55, 2, 1.0}, at, size, 1);
+      const double groups = glsl::gradient_octaves({4, 4, 0.5, 2, 0.0}, at, size, 2);
+      return cells + 1.25 * groups;
     }
     case 1:
       return glsl::gradient_octaves({2, 4, 0.45, 2, 0.0}, at, size, 3);

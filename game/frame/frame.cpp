@@ -118,6 +118,7 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   const bool sky_visible = view.sky_visible && wet != Lens::kSubmerged;
   GardnerView gardner = view.gardner;
   gardner.sky_visible = sky_visible;
+  gardner.size = view.size;
 
   add_begin(graph, view, t.frame_block, hdr, depth);
   const SkyIds sky = t.sky.add_tables(graph, view.light);
