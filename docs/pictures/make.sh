@@ -23,3 +23,15 @@ for wind in 4 9 15; do
   shot "boat_deck_$wind" default 30 --set camera.mode=helm --set environment.wind.speed="$wind"
   shot "boat_astern_$wind" default 30 --set camera.mode=chase --set environment.wind.speed="$wind"
 done
+# The sea from a calm to a gale, from high up and toward the sun.
+sea() { # NAME SCENE WIND POSITION TARGET [option...]
+  local name=$1 scene=$2 wind=$3 position=$4 target=$5
+  shift 5
+  shot "sea_$name" "$scene" 20 --set camera.mode=free --set camera.position="$position" \
+    --set camera.target="$target" --set environment.wind.speed="$wind" "$@"
+}
+sea calm calm 2 12,4,14 40,0,0
+sea trade default 9 12,4,14 40,0,0
+sea gale gale 18 12,5,14 40,0,0
+sea high gale 18 0,500,0 400,0,300
+sea sun sunset 6 12,4,14 -40,1,10

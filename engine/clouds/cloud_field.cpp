@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "engine/core/angles.h"
 #include "engine/core/random.h"
 #include "shaders/shared/bindings.h"
 
@@ -16,7 +15,7 @@ namespace {
 
 constexpr double kEarthDiameter = 2.0 * 6.36e6;  // m, as in lib/scattering.glsl
 // Periods without a common multiple within sight, m.
-constexpr double kShapePeriod = 4300.0, kDetailPeriod = 330.0, kCurlPeriod = 1900.0;
+constexpr double kShapePeriod = 3300.0, kDetailPeriod = 260.0, kCurlPeriod = 1900.0;
 constexpr double kCurlReach = 90.0;
 /// Bases of different clouds lie this far apart at most, by type, m.
 constexpr double kBaseSpread = 190.0;
@@ -24,46 +23,10 @@ constexpr double kHuge = 1e7;
 
 double fraction(double x) { return x - std::floor(x); }
 
-/// The mean wind there over that at 10 m: logarithmic to the top of the boundary layer at 1 km,
-/// then growing slowly.
-double wind_aloft(double height) {
-  constexpr double kRoughness = 0.005;
-  const double low =
-      std::log(std::clamp(height, 10.0, 1000.0) / kRoughness) / std::log(10.0 / kRoughness);
-  return low * (1.0 + 0.08 * std::max(height - 1000.0, 0.0) / 1000.0);
-}
-
-glm::dvec2 turned(const glm::dvec2& v, double degrees) {
-  const double c = std::cos(radians(degrees)), s = std::sin(radians(degrees));
-  return {c * v.x - s * v.y, s * v.x + c * v.y};
-}
-
-/// Texture coordinates of the camera in a pattern of this period that has been carried along.
-glm::dvec3 at_eye(const CloudView& view, const glm::dvec2& carried, double period,
-                  std::uint64_t pattern) {
-  const auto start = [&](std::uint64_t axis) {
-    return random_uniform(view.seed, 200 + pattern, axis);
-  };
-  return {fraction((view.eye.x - carried.x) / period + start(0)),
-          fraction(view.eye.y / period + start(1)),
-          fraction((view.eye.z - carried.y) / period + start(2))};
-}
-
 glm::vec4 pack(const glm::dvec3& v, double w) { return {glm::vec3(v), static_cast<float>(w)}; }
 glm::vec4 pack(double x, double y, double z, double w) { return glm::vec4(glm::dvec4(x, y, z, w)); }
 
 }  // namespace
-
-glm::dvec2 cloud_carried(const CloudView& view, double height) {
-  return turned(view.drift, view.parameters.direction_offset_deg) *
-         (wind_aloft(height) * view.parameters.speed_factor);
-}
-
-glm::dvec2 cloud_velocity(const CloudView& view, double height) {
-  CloudView unit = view;
-  unit.drift = view.wind_to * view.wind_speed;
-  return cloud_carried(unit, height);
-}
 
 shared::CloudData cloud_data(const CloudView& view, const SkyLight& light) {
   const CloudParameters& p = view.parameters;
@@ -71,29 +34,25 @@ shared::CloudData cloud_data(const CloudView& view, const SkyLight& light) {
   shared::CloudData data{};
 
   const double type = weather.type;
-  // Stratus lies lower, and rain brings bases down.
-  const double base =
-      p.base * glsl::cloud_blend(0.55, 1.0, 1.0, type) * (1.0 - 0.35 * weather.precipitation);
+  const double base = cloud_base(view);
   const double spread = kBaseSpread * glsl::cloud_blend(0.25, 0.6, 1.0, type) * base / 700.0;
-  // The tallest that any column can be: types scatter about the global one.
-  const double tallest =
-      glsl::cloud_kind(std::min(type + 0.15, 1.0), weather.precipitation).thickness;
+  const double tallest = tallest_cloud(weather);
   data.eye = pack(view.eye.y, 1.0 / kEarthDiameter, weather.cover > 0.0 ? 1.0 : 0.0, 0.0);
   data.layer =
       pack(base - spread, base + spread + 1.06 * tallest * p.scale, p.extinction * p.density, base);
 
   const glm::dvec2 carried = cloud_carried(view, base);
-  const glm::dvec3 w = at_eye(view, carried, WeatherMap::kPeriod * p.scale, 0);
-  data.weather = pack(w.x, w.z, 1.0 / (WeatherMap::kPeriod * p.scale), 1.0 - weather.cover);
+  const glm::dvec2 w = weather_place(view);
+  data.weather = pack(w.x, w.y, 1.0 / (WeatherMap::kPeriod * p.scale), 1.0 - weather.cover);
   // The body's noise rises and drifts ahead a little: clouds boil.
   const double rise = 0.7 * p.evolution * view.elapsed;
-  glm::dvec3 s = at_eye(view, carried * 1.02, kShapePeriod * p.scale, 1);
+  glm::dvec3 s = pattern_place(view, carried * 1.02, kShapePeriod * p.scale, 1);
   s.y = fraction(s.y - rise / (kShapePeriod * p.scale));
   data.shape = pack(s, 1.0 / (kShapePeriod * p.scale));
-  glm::dvec3 d = at_eye(view, carried, kDetailPeriod * p.scale, 2);
+  glm::dvec3 d = pattern_place(view, carried, kDetailPeriod * p.scale, 2);
   d.y = fraction(d.y - 1.3 * rise / (kDetailPeriod * p.scale));
   data.detail = pack(d, 1.0 / (kDetailPeriod * p.scale));
-  const glm::dvec3 c = at_eye(view, carried, kCurlPeriod * p.scale, 3);
+  const glm::dvec3 c = pattern_place(view, carried, kCurlPeriod * p.scale, 3);
   data.curl = pack(c.x, c.z, 1.0 / (kCurlPeriod * p.scale), kCurlReach * p.curl * p.scale);
   data.form = pack(p.density_threshold, p.roughness, p.erosion, p.scale);
 

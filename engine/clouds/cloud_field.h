@@ -5,9 +5,8 @@
 #include <cstdint>
 
 #include "engine/clouds/cloud_noise.h"
-#include "engine/clouds/cloud_parameters.h"
+#include "engine/clouds/cloud_view.h"
 #include "engine/clouds/weather_map.h"
-#include "engine/environment/environment.h"
 #include "engine/gl/buffer.h"
 #include "engine/graph/frame_graph.h"
 #include "engine/shader/shader_library.h"
@@ -15,18 +14,6 @@
 #include "shaders/shared/clouds.h"
 
 namespace offing {
-
-/// What clouds are drawn from: the weather of now, and from where they are seen.
-struct CloudView {
-  Clouds weather;                ///< cover, type, precipitation, high
-  glm::dvec2 drift{0.0};         ///< Environment::air_drift()
-  glm::dvec2 wind_to{0.0, 1.0};  ///< unit (x, z)
-  double wind_speed = 8.0;       ///< m/s at 10 m
-  double elapsed = 0.0;          ///< s
-  glm::dvec3 eye{0.0};           ///< the camera in the world, m
-  std::uint64_t seed = 1;
-  CloudParameters parameters;
-};
 
 /// The clouds' field of density, in this frame's graph: what clouds/density.glsl reads.
 struct CloudIds {
@@ -60,10 +47,6 @@ class CloudField {
   PassMemory block_memory_;
   double lowest_base_ = 0.0;
 };
-
-/// How far (x, z; m) and how fast (m/s) the wind at this height (m) carries clouds.
-glm::dvec2 cloud_carried(const CloudView& view, double height);
-glm::dvec2 cloud_velocity(const CloudView& view, double height);
 
 /// What density.glsl and the march read of a view and its light.
 shared::CloudData cloud_data(const CloudView& view, const SkyLight& light);

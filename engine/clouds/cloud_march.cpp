@@ -46,6 +46,7 @@ glm::ivec2 pixel_of_turn(glm::ivec2 cell, int turn) {
 
 ShaderDefines march_defines(const CloudQuality& quality) {
   ShaderDefines defines = {{"STEPS", std::to_string(quality.steps)},
+                           {"PIXEL_ANGLE", fmt::format("({}.0 * frame.camera.w)", quality.scale)},
                            {"SKIPS", "24"},
                            {"FINEST", fmt::format("{:.4f}", quality.finest)},
                            {"GROWTH", fmt::format("{:.5f}", quality.growth)},
@@ -89,11 +90,12 @@ glm::vec3 forward_of(const CloudCamera& camera) {
 CloudQuality CloudQuality::of(int quality) {
   switch (quality) {
     case 0:
-      return {.cell = {4, 4},
+      return {.scale = 2,
+              .cell = {2, 2},
               .steps = 36,
               .light_steps = 3,
               .finest = 45.0f,
-              .growth = 0.011f,
+              .growth = 0.013f,
               .reach = 70000.0f,
               .curl = false};
     case 1:
@@ -131,7 +133,8 @@ CloudMarch::CloudMarch(ShaderLibrary& shaders, const CloudQuality& quality)
       linear_("clouds history", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
       no_vertices_("clouds without vertices") {}
 
-void CloudMarch::resize(glm::ivec2 size) {
+void CloudMarch::resize(glm::ivec2 screen) {
+  const glm::ivec2 size = (screen + quality_.scale - 1) / quality_.scale;
   if (pictures_[0] && glm::ivec2(pictures_[0].width(), pictures_[0].height()) == size) return;
   const glm::ivec2 cells = (size + quality_.cell - 1) / quality_.cell;
   seen_ = picture("clouds seen", GL_RGBA16F, cells);
@@ -141,6 +144,10 @@ void CloudMarch::resize(glm::ivec2 size) {
   whole_distance_ = picture("clouds distance of all", GL_R16F, size);
   pictures_[0] = picture("clouds picture a", GL_RGBA16F, size);
   pictures_[1] = picture("clouds picture b", GL_RGBA16F, size);
+  // What is never marched, beneath the horizon, holds no cloud.
+  const float nothing[4] = {0.0f, 0.0f, 0.0f, 1.0f};
+  for (const gl::Texture& texture : pictures_)
+    glClearTexImage(texture.id(), 0, GL_RGBA, GL_FLOAT, nothing);
   known_ = false;
   for (PassMemory* memory : {&march_memory_, &bounds_memory_, &resolve_memory_}) memory->reset();
 }
@@ -156,7 +163,9 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
                    glm::dot(forward_of(camera), forward_of(before_)) < kCutCosine ||
                    glm::length(carried - carried_before_) > kCutDistance;
   const bool whole = cut || turns == 1;
-  const int first_row = view.eye.y < field.lowest_base() ? first_sky_row(camera) : 0;
+  const int first_row =
+      view.eye.y < field.lowest_base() ? first_sky_row(camera) / quality_.scale : 0;
+  const auto scale = static_cast<float>(quality_.scale);
 
   // While nothing moves two rounds say all there is to say.
   const std::uint64_t shows =
@@ -193,7 +202,7 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
         pass.cache(march_memory_, key).skip_if(!visible);
       },
       [this, &field, &sky, &shadow, &target, &target_distance, ids, sky_ids, shadow_ids, cell,
-       chosen = whole ? glm::ivec2(0) : chosen, shift, light_steps,
+       chosen = whole ? glm::ivec2(0) : chosen, shift, light_steps, scale,
        first_row](const PassContext& context) {
         sky.bind(context, sky_ids);
         field.bind(context, ids);
@@ -206,6 +215,7 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
         program.set(3, light_steps);
         const int first = first_row / cell.y;
         program.set(4, first);
+        program.set(5, scale);
         target.bind_image(0, GL_WRITE_ONLY);
         target_distance.bind_image(1, GL_WRITE_ONLY);
         glDispatchCompute(groups(target.width()), groups(target.height() - first), 1);
@@ -234,7 +244,7 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
           pass.read(seen).read(distance).read(least).read(most).read(history_id).write(result_id);
           pass.cache(resolve_memory_, key).skip_if(!visible);
         },
-        [this, &result, &history, chosen, moved, clip_before, first_row,
+        [this, &result, &history, chosen, moved, clip_before, scale, first_row,
          first_row_before = first_row_before_](PassContext&) {
           resolve_program_.use();
           const gl::Program& program = resolve_program_.program();
@@ -245,6 +255,7 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
           program.set(7, 0.65f);
           program.set(8, first_row);
           program.set(9, first_row_before);
+          program.set(10, scale);
           seen_.bind(0);
           distance_.bind(1);
           least_.bind(2);
@@ -286,7 +297,12 @@ void CloudMarch::add_composite(FrameGraph& graph, const CloudField& field, const
       [this, &field, &sky, ids, sky_ids, seen, depth, from_below](const PassContext& context) {
         sky.bind(context, sky_ids);
         field.bind(context, ids);
-        context.texture(seen).bind(0);
+        const gl::Texture& picture = context.texture(seen);
+        picture.bind(0);
+        if (quality_.scale > 1) linear_.bind(0);
+        const glm::vec2 units =
+            1.0f / static_cast<float>(quality_.scale) /
+            glm::vec2(static_cast<float>(picture.width()), static_cast<float>(picture.height()));
         no_vertices_.bind();
         glEnable(GL_BLEND);
         glBlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
@@ -297,15 +313,18 @@ void CloudMarch::add_composite(FrameGraph& graph, const CloudField& field, const
           glDepthFunc(GL_GEQUAL);
           far_program_.use();
           far_program_.program().set(0, 1.0f);
+          far_program_.program().set(1, units);
           glDrawArrays(GL_TRIANGLES, 0, kDomeVertices);
         } else {
           context.texture(depth).bind(1);
           glDisable(GL_DEPTH_TEST);
           all_program_.use();
+          all_program_.program().set(1, units);
           glDrawArrays(GL_TRIANGLES, 0, 3);
         }
         glDisable(GL_BLEND);
         glDepthMask(GL_TRUE);
+        glBindSampler(0, 0);
       });
 }
 

@@ -11,6 +11,7 @@ namespace offing {
 
 /// What a picture of clouds costs.
 struct CloudQuality {
+  int scale = 1;          ///< a pixel of the clouds' picture is so many of the screen's wide
   glm::ivec2 cell{4, 4};  ///< one pixel of such a cell is marched in a frame
   int steps = 40;         ///< most of a ray, in and near cloud
   int light_steps = 3;
@@ -41,8 +42,8 @@ class CloudMarch {
   CloudMarch(ShaderLibrary& shaders, const CloudQuality& quality);
 
   /// Adds clouds.march, clouds.bounds and clouds.resolve; returns radiance × exposure and
-  /// transmittance (RGBA16F) at the size of the picture. After a cut, and in the first frame, every
-  /// pixel is marched. Nothing runs where not `visible`.
+  /// transmittance (RGBA16F) at the size of the picture over CloudQuality::scale. After a cut, and
+  /// in the first frame, every pixel is marched. Nothing runs where not `visible`.
   TextureId add(FrameGraph& graph, const CloudField& field, const CloudIds& ids, const Sky& sky,
                 const SkyIds& sky_ids, const CloudShadow& shadow, const CloudShadowIds& shadow_ids,
                 const CloudView& view, const CloudCamera& camera, bool visible);
@@ -54,6 +55,7 @@ class CloudMarch {
   const CloudQuality& quality() const { return quality_; }
   /// Where the light of each pixel comes from (m), of the last frame that marched every pixel.
   const gl::Texture& distances() const { return whole_distance_; }
+  int scale() const { return quality_.scale; }
 
  private:
   void resize(glm::ivec2 size);

@@ -53,6 +53,7 @@ void CloudParameters::describe(FieldTable& table) {
           "a picture of coverage, type, height and rain (red, green, blue, alpha) in place of the "
           "weather; empty: none",
           [](std::string_view) { return std::string(); });
+  effects.describe(table);
 }
 
 }  // namespace offing

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "engine/clouds/cloud_effects.h"
 #include "engine/core/fields.h"
 
 namespace offing {
@@ -20,7 +21,7 @@ struct CloudParameters {
   double scale = 1.0;              ///< of the clouds' size (cloud scale)
   double density_threshold = 0.0;  ///< moves the clouds' edge inward (density threshold), -1 to 1
   double density = 1.0;            ///< multiplies the extinction (density multiplier)
-  double extinction = 0.12;        ///< of a dense cumulus, 1/m
+  double extinction = 0.07;        ///< of a dense cumulus, 1/m
   double base = 700.0;             ///< height of the lowest cumulus bases, m
   int container = static_cast<int>(CloudContainer::kShell);
   double box_size = 30.0;  ///< side of the box, km
@@ -52,6 +53,8 @@ struct CloudParameters {
   double shear = 0.25;                ///< lean of the clouds, m per m of height
   double evolution = 1.0;             ///< how fast clouds come and go
   std::string weather_picture;        ///< file in place of the procedural weather; empty: none
+
+  CloudEffects effects;  ///< on the rest of the scene
 
   /// The scene keys clouds.*, bound to this object.
   void describe(FieldTable& table);

@@ -6,7 +6,8 @@ Cloudscape::Cloudscape(ShaderLibrary& shaders, int quality)
     : field_(shaders),
       shadow_(shaders),
       map_(shaders, CloudMapSettings::of_quality(quality)),
-      march_(shaders, CloudQuality::of(quality)) {}
+      march_(shaders, CloudQuality::of(quality)),
+      veils_(shaders, quality) {}
 
 CloudscapeIds Cloudscape::add_field(FrameGraph& graph, const CloudView& view,
                                     const SkyLight& light) {
@@ -28,14 +29,20 @@ std::optional<ProbeClouds> Cloudscape::add_map(FrameGraph& graph, const Cloudsca
 
 void Cloudscape::add_picture(FrameGraph& graph, const CloudscapeIds& ids, const CloudView& view,
                              const CloudCamera& camera, const Sky& sky, const SkyIds& sky_ids,
-                             TextureId hdr, TextureId depth, bool sky_visible) {
+                             TextureId hdr, TextureId depth, bool sky_visible, bool in_air) {
   const bool any = view.weather.cover > 0.0;
   const bool from_below = view.eye.y < field_.lowest_base();
   const bool visible = any && (sky_visible || !from_below);
   const TextureId seen = march_.add(graph, field_, ids.field, sky, sky_ids, shadow_, ids.shadow,
                                     view, camera, visible);
+  const auto add_veils = [&] {
+    veils_.add(graph, field_, ids.field, sky, sky_ids, shadow_, ids.shadow, view, camera, hdr,
+               depth, in_air);
+  };
+  if (!from_below) add_veils();
   march_.add_composite(graph, field_, ids.field, sky, sky_ids, seen, hdr, depth, visible,
                        from_below);
+  if (from_below) add_veils();
 }
 
 }  // namespace offing

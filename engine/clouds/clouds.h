@@ -5,6 +5,7 @@
 #include "engine/clouds/cloud_map.h"
 #include "engine/clouds/cloud_march.h"
 #include "engine/clouds/cloud_shadow.h"
+#include "engine/clouds/cloud_veils.h"
 #include "engine/sky/sky.h"
 
 namespace offing {
@@ -28,11 +29,12 @@ class Cloudscape {
   std::optional<ProbeClouds> add_map(FrameGraph& graph, const CloudscapeIds& ids,
                                      const CloudView& view, const SkyLight& light, const Sky& sky,
                                      const SkyIds& sky_ids);
-  /// Draws the clouds over what stands in `hdr` behind them, the sky included. `sky_visible`:
-  /// whether the picture shows anything above the horizon.
+  /// Draws the clouds over what stands in `hdr` behind them, the sky included, and what hangs in
+  /// the air below them. `sky_visible`: whether the picture shows anything above the horizon.
+  /// `in_air`: whether the eye is above the water.
   void add_picture(FrameGraph& graph, const CloudscapeIds& ids, const CloudView& view,
                    const CloudCamera& camera, const Sky& sky, const SkyIds& sky_ids, TextureId hdr,
-                   TextureId depth, bool sky_visible);
+                   TextureId depth, bool sky_visible, bool in_air = true);
 
   const CloudField& field() const { return field_; }
   CloudField& field() { return field_; }
@@ -44,6 +46,7 @@ class Cloudscape {
   CloudShadow shadow_;
   CloudMap map_;
   CloudMarch march_;
+  CloudVeils veils_;
 };
 
 }  // namespace offing

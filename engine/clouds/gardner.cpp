@@ -21,6 +21,8 @@ constexpr int kCellsAcross = 7;         // on either side of the camera
 constexpr int kHeap = 7;                // ellipsoids of a cumulus at most
 constexpr int kMostEllipsoids = (2 * kCellsAcross + 1) * (2 * kCellsAcross + 1) * kHeap;
 constexpr int kDomeVertices = 96 * 3;  // as in sky/dome.vert
+constexpr int kTileTexels = 512;       // of one period
+constexpr int kHighScale = 3;          // pixels of high clouds are so many of the screen's wide
 
 glm::vec4 pack(const glm::dvec3& v, double w) { return {glm::vec3(v), static_cast<float>(w)}; }
 glm::vec4 pack(double x, double y, double z, double w) { return glm::vec4(glm::dvec4(x, y, z, w)); }
@@ -113,16 +115,99 @@ std::vector<GardnerEllipsoid> gardner_cumuli(const GardnerView& view) {
 }
 
 GardnerClouds::GardnerClouds(ShaderLibrary& shaders)
-    : high_program_(shaders.program({"sky/dome.vert", "clouds/high.frag"})),
+    : tile_program_(shaders.program({"clouds/gardner_tile.comp"})),
+      high_program_(shaders.program({"sky/dome.vert", "clouds/high.frag"})),
+      composite_program_(shaders.program({"sky/dome.vert", "clouds/composite.frag"})),
       ellipsoid_program_(shaders.program({"clouds/ellipsoid.vert", "clouds/ellipsoid.frag"})),
       block_("gardner block", sizeof(shared::GardnerData)),
       ellipsoids_("gardner ellipsoids", kMostEllipsoids * sizeof(GardnerEllipsoid)),
       ellipsoid_array_("gardner ellipsoids"),
-      no_vertices_("gardner without vertices") {
+      no_vertices_("gardner without vertices"),
+      linear_("gardner high", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
+      repeating_("gardner tile", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
+      tile_("gardner tile", {.format = GL_R16,
+                             .width = kTileTexels,
+                             .height = kTileTexels,
+                             .levels = gl::full_mip_levels(kTileTexels, kTileTexels)}) {
   ellipsoid_array_.attribute(0, 4, ellipsoids_.id(), sizeof(GardnerEllipsoid), 0);
   ellipsoid_array_.attribute(1, 4, ellipsoids_.id(), sizeof(GardnerEllipsoid), sizeof(glm::vec4));
   glVertexArrayBindingDivisor(ellipsoid_array_.id(), 0, 1);
   glVertexArrayBindingDivisor(ellipsoid_array_.id(), 1, 1);
+}
+
+void GardnerClouds::add_high(FrameGraph& graph, const GardnerView& view, const Sky& sky,
+                             const SkyIds& sky_ids, BufferId block, TextureId hdr, TextureId depth,
+                             bool visible) {
+  const glm::ivec2 size = (view.size + kHighScale - 1) / kHighScale;
+  if (!high_ || glm::ivec2(high_.width(), high_.height()) != size) {
+    high_ = {"gardner high", {.format = GL_RGBA16F, .width = size.x, .height = size.y}};
+  }
+  const TextureId tile = graph.import(tile_), picture = graph.import(high_);
+  const GardnerParameters& p = view.parameters;
+  graph.add(
+      "clouds.high_tile",
+      [&](PassBuilder& pass) {
+        pass.write(tile);
+        pass.cache(tile_memory_, hash_of(p.terms, p.contrast, tile_program_.generation()));
+      },
+      [this, terms = p.terms, contrast = static_cast<float>(p.contrast)](PassContext&) {
+        tile_program_.use();
+        tile_program_.program().set(0, terms);
+        tile_program_.program().set(1, contrast);
+        tile_.bind_image(0, GL_WRITE_ONLY);
+        glDispatchCompute(kTileTexels / 8, kTileTexels / 8, 1);
+        glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+        tile_.generate_mipmaps();
+      });
+  graph.add(
+      "clouds.high",
+      [&](PassBuilder& pass) {
+        sky_ids.read_by(pass);
+        pass.read(tile).read(block, Access::kUniform);
+        pass.write(picture, Access::kAttachment).render_to({picture}).skip_if(!visible);
+      },
+      [this, &sky, sky_ids](const PassContext& context) {
+        const float nothing[4] = {0.0f, 0.0f, 0.0f, 1.0f};
+        glClearBufferfv(GL_COLOR, 0, nothing);
+        sky.bind(context, sky_ids);
+        block_.bind_uniform(OFFING_BIND_GARDNER);
+        tile_.bind(0);
+        repeating_.bind(0);
+        glDisable(GL_DEPTH_TEST);
+        no_vertices_.bind();
+        high_program_.use();
+        // A little beyond the horizon, for the filter between pixels.
+        high_program_.program().set(0, static_cast<float>(kHighScale));
+        high_program_.program().set(1, static_cast<float>(kHighScale));
+        glDrawArrays(GL_TRIANGLES, 0, kDomeVertices);
+        glBindSampler(0, 0);
+      });
+  graph.add(
+      "clouds.high_composite",
+      [&](PassBuilder& pass) {
+        sky_ids.read_by(pass);
+        pass.read(picture).read(depth, Access::kAttachment).modify(hdr).render_to({hdr}, depth);
+        pass.skip_if(!visible);
+      },
+      [this, &sky, sky_ids](const PassContext& context) {
+        sky.bind(context, sky_ids);
+        high_.bind(0);
+        linear_.bind(0);
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_GEQUAL);
+        glDepthMask(GL_FALSE);
+        glEnable(GL_BLEND);
+        glBlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
+        no_vertices_.bind();
+        composite_program_.use();
+        composite_program_.program().set(0, 1.0f);
+        composite_program_.program().set(
+            1, 1.0f / glm::vec2(high_.width() * kHighScale, high_.height() * kHighScale));
+        glDrawArrays(GL_TRIANGLES, 0, kDomeVertices);
+        glDisable(GL_BLEND);
+        glDepthMask(GL_TRUE);
+        glBindSampler(0, 0);
+      });
 }
 
 void GardnerClouds::add(FrameGraph& graph, const GardnerView& view, const SkyLight& light,
@@ -169,20 +254,7 @@ void GardnerClouds::add(FrameGraph& graph, const GardnerView& view, const SkyLig
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
   };
-  graph.add(
-      "clouds.high",
-      [&](PassBuilder& pass) {
-        declare(pass);
-        pass.skip_if(!high);
-      },
-      [this, over_the_sky, done](PassContext& context) {
-        over_the_sky(context);
-        no_vertices_.bind();
-        high_program_.use();
-        high_program_.program().set(0, 1.0f);
-        glDrawArrays(GL_TRIANGLES, 0, kDomeVertices);
-        done();
-      });
+  add_high(graph, view, sky, sky_ids, block, hdr, depth, high);
   std::vector<GardnerEllipsoid> cumuli;
   if (heaps) cumuli = gardner_cumuli(view);
   graph.add(

@@ -9,6 +9,7 @@
 #include "engine/environment/environment.h"
 #include "engine/gl/buffer.h"
 #include "engine/gl/program.h"
+#include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
 #include "engine/shader/shader_library.h"
 #include "engine/sky/sky.h"
@@ -23,6 +24,7 @@ struct GardnerView {
   glm::dvec2 high_carried{0.0};  ///< and the cirrus
   glm::dvec2 wind_to{0.0, 1.0};  ///< unit (x, z)
   glm::dvec3 eye{0.0};           ///< the camera in the world, m
+  glm::ivec2 size{1};            ///< of the picture, pixels
   double base = 700.0;           ///< of cumuli, m
   bool ellipsoids = false;       ///< whether cumuli are drawn this way
   bool sky_visible = true;
@@ -52,17 +54,25 @@ class GardnerClouds {
  public:
   explicit GardnerClouds(ShaderLibrary& shaders);
 
-  /// Adds clouds.high and clouds.ellipsoids, which draw onto the sky in `hdr` (where `depth` is 0).
-  /// Skipped where the weather has none of either, or no sky is in view.
+  /// Adds clouds.high, clouds.high_composite and clouds.ellipsoids, which draw onto the sky in
+  /// `hdr` (where `depth` is 0). Skipped where the weather has none of either, or no sky is in
+  /// view.
   void add(FrameGraph& graph, const GardnerView& view, const SkyLight& light, const Sky& sky,
            const SkyIds& sky_ids, TextureId hdr, TextureId depth);
 
  private:
+  void add_high(FrameGraph& graph, const GardnerView& view, const Sky& sky, const SkyIds& sky_ids,
+                BufferId block, TextureId hdr, TextureId depth, bool visible);
+
+  const ShaderProgram& tile_program_;
   const ShaderProgram& high_program_;
+  const ShaderProgram& composite_program_;
   const ShaderProgram& ellipsoid_program_;
   gl::Buffer block_, ellipsoids_;
   gl::VertexArray ellipsoid_array_, no_vertices_;
-  PassMemory block_memory_;
+  gl::Sampler linear_, repeating_;
+  gl::Texture tile_, high_;
+  PassMemory block_memory_, tile_memory_;
   std::vector<double> values_;  ///< gardner_values() of these:
   int values_terms_ = 0;
   double values_contrast_ = 0.0;

@@ -11,7 +11,7 @@ namespace offing {
 std::optional<std::filesystem::path> cache_folder();
 
 /// Raises when what is kept changes its meaning.
-inline constexpr std::uint32_t kNoiseCacheVersion = 2;
+inline constexpr std::uint32_t kNoiseCacheVersion = 3;
 
 /// The bytes kept in `file` for these parameters, if it is whole: its header names version,
 /// parameters, size and a hash of the bytes, and all of them are checked. Otherwise nothing, with a

@@ -7,26 +7,20 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "engine/clouds/weather_noise.h"
 #include "engine/core/error.h"
 #include "engine/core/random.h"
 #include "engine/io/image.h"
+
+#define OFFING_GLSL "shaders/lib/clouds.glsl"
+#include "engine/core/glsl_double.h"
 
 namespace offing {
 namespace {
 
 constexpr int kLargestPicture = 4096;
 
-double fraction(double x) { return x - std::floor(x); }
 GLuint groups(int size) { return static_cast<GLuint>((size + 7) / 8); }
-
-/// Where a pattern lies at a time: a random place that wanders, in periods.
-glm::vec2 offset(std::uint64_t seed, std::uint64_t pattern, double elapsed, double speed) {
-  const double way = 6.283185307179586 * random_uniform(seed, 100 + pattern, 2);
-  const double moved = elapsed * speed / WeatherMap::kPeriod;
-  return glm::vec2(
-      glm::dvec2(fraction(random_uniform(seed, 100 + pattern, 0) + moved * std::cos(way)),
-                 fraction(random_uniform(seed, 100 + pattern, 1) + moved * std::sin(way))));
-}
 
 gl::Texture plane(const char* label, int side) {
   return {label, {.format = GL_RGBA8, .width = side, .height = side}};
@@ -34,11 +28,16 @@ gl::Texture plane(const char* label, int side) {
 
 }  // namespace
 
+double tallest_cloud(const Clouds& weather) {
+  // Types scatter about the global one.
+  return glsl::cloud_kind(std::min(weather.type + 0.15, 1.0), weather.precipitation).thickness;
+}
+
 WeatherMap::WeatherMap(ShaderLibrary& shaders)
     : weather_program_(shaders.program({"clouds/weather.comp"})),
       most_program_(shaders.program({"clouds/most.comp"})),
       weather_(plane("clouds weather", kTexels)),
-      most_(plane("clouds most", kCells)),
+      most_("clouds most", {.format = GL_R8, .width = kCells, .height = kCells}),
       picture_(plane("clouds weather picture", 1)),
       repeating_("clouds weather", GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT) {}
 
@@ -81,22 +80,24 @@ WeatherMap::Ids WeatherMap::add(FrameGraph& graph, TextureId patterns, const Clo
   const Ids ids{graph.import(weather_), graph.import(most_)};
   // In steps of the clock: the map costs a millisecond, and clouds change slowly.
   const double time = parameters.evolution * kStep * std::floor(elapsed / kStep);
-  const glm::vec2 cells = offset(seed, 0, time, 0.6), finer = offset(seed, 1, time, 1.1);
-  const glm::vec2 fronts = offset(seed, 2, time, 1.6), patches = offset(seed, 3, time, 0.3);
-  const std::array<glm::vec4, 2> offsets = {glm::vec4(cells, finer), glm::vec4(fronts, patches)};
+  const WeatherOffsets at = weather_offsets(seed, time);
+  const std::array<glm::vec4, 2> offsets = {glm::vec4(glm::dvec4(at.cells, at.finer)),
+                                            glm::vec4(glm::dvec4(at.fronts, at.patches))};
   const bool drawn = !picture_file_.empty();
   const glm::vec4 state(
       glm::dvec4(weather.cover, weather.type, weather.precipitation, drawn ? 1.0 : 0.0));
+  const glm::vec4 form(glm::dvec4(1.0 - weather.cover, parameters.density_threshold,
+                                  parameters.roughness, 1.06 * tallest_cloud(weather)));
   graph.add(
       "clouds.weather",
       [&](PassBuilder& pass) {
         pass.read(patterns)
             .write(ids.weather)
             .write(ids.most)
-            .cache(memory_, hash_of(offsets, state, weather_program_.generation(),
+            .cache(memory_, hash_of(offsets, state, form, weather_program_.generation(),
                                     most_program_.generation()));
       },
-      [this, patterns, offsets, state](const PassContext& context) {
+      [this, patterns, offsets, state, form](const PassContext& context) {
         weather_program_.use();
         for (int i = 0; i < 2; ++i) {
           weather_program_.program().set(i, offsets[static_cast<std::size_t>(i)]);
@@ -111,6 +112,7 @@ WeatherMap::Ids WeatherMap::add(FrameGraph& graph, TextureId patterns, const Clo
         glDispatchCompute(groups(kTexels), groups(kTexels), 1);
         glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
         most_program_.use();
+        most_program_.program().set(0, form);
         weather_.bind(0);
         most_.bind_image(0, GL_WRITE_ONLY);
         glDispatchCompute(groups(kCells), groups(kCells), 1);

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "engine/clouds/cloud_parameters.h"
+#include "engine/clouds/weather_noise.h"
 #include "engine/environment/environment.h"
 #include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
@@ -10,18 +11,21 @@
 
 namespace offing {
 
+/// The thickness of the tallest cloud that a weather can hold, m, at the clouds' usual scale.
+double tallest_cloud(const Clouds& weather);
+
 /// Which clouds stand where: a tileable map of coverage, type, height of the bases and rain.
 /// Carried by the wind as a whole (CloudData::weather) while its parts come and go.
 class WeatherMap {
  public:
-  static constexpr double kPeriod = 42000.0;  ///< m
+  static constexpr double kPeriod = kWeatherPeriod;  ///< m
   static constexpr int kTexels = 256, kCells = 64;
 
   explicit WeatherMap(ShaderLibrary& shaders);
 
   struct Ids {
     TextureId weather;  ///< RGBA8: coverage (evenly distributed), type, base, rain
-    TextureId most;     ///< RGBA8: see clouds/most.comp
+    TextureId most;     ///< R8: see clouds/most.comp
   };
   /// Adds clouds.weather, which runs when the weather has changed, and at most every kStep seconds
   /// of the clock. Throws InputError where a picture is asked for that cannot be read.

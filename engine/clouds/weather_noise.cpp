@@ -1,7 +1,11 @@
 #include "engine/clouds/weather_noise.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+
+#include "engine/core/angles.h"
+#include "engine/core/random.h"
 
 #define OFFING_GLSL "shaders/lib/noise.glsl"
 #include "engine/core/glsl_double.h"
@@ -14,10 +18,10 @@ namespace {
 double channel(int c, const glm::dvec3& at, int size) {
   switch (c) {
     case 0: {
-      // Rounded cells that stand in groups: both have to be there.
-      const double cells = glsl::cellular_octaves({20, 2, 0.45, 2, 1.0}, at, size, 1);
-      const double groups = glsl::gradient_octaves({5, 3, 0.5, 2, 0.0}, at, size, 2);
-      return cells + 1.1 * groups;
+      // Heaps of several sizes that stand in groups with clear lanes between them.
+      const double cells = glsl::cellular_octaves({13, 3, 0.55, 2, 1.0}, at, size, 1);
+      const double groups = glsl::gradient_octaves({4, 4, 0.5, 2, 0.0}, at, size, 2);
+      return cells + 1.25 * groups;
     }
     case 1:
       return glsl::gradient_octaves({2, 4, 0.45, 2, 0.0}, at, size, 3);
@@ -50,6 +54,17 @@ std::vector<std::uint8_t> make_weather_noise(int size) {
     }
   }
   return pixels;
+}
+
+WeatherOffsets weather_offsets(std::uint64_t seed, double time) {
+  const auto offset = [&](std::uint64_t pattern, double speed) {
+    const double way = kTau * random_uniform(seed, 100 + pattern, 2);
+    const double moved = time * speed / kWeatherPeriod;
+    const glm::dvec2 at(random_uniform(seed, 100 + pattern, 0) + moved * std::cos(way),
+                        random_uniform(seed, 100 + pattern, 1) + moved * std::sin(way));
+    return at - glm::floor(at);
+  };
+  return {offset(0, 0.6), offset(1, 1.1), offset(2, 1.6), offset(3, 0.3)};
 }
 
 }  // namespace offing

@@ -115,7 +115,8 @@ glm::dvec2 Environment::wind_at(glm::dvec2 position, double height) const {
   static const double kLogReference = std::log(kReferenceHeight / kRoughnessLength);
   const double profile =
       std::log(std::max(height, kLowestHeight) / kRoughnessLength) / kLogReference;
-  return profile * gust_factor(position) * wind_velocity();
+  return profile *
+         (gust_factor(position) * wind_velocity() + squalls_->added(position - squall_corner_));
 }
 
 const CelestialState& Environment::celestial() const {

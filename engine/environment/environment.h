@@ -2,10 +2,12 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <memory>
 #include <string>
 
 #include "engine/core/fields.h"
 #include "engine/environment/ephemeris.h"
+#include "engine/environment/squall_field.h"
 
 namespace offing {
 
@@ -67,13 +69,20 @@ class Environment {
   glm::dvec2 wind_to() const;
   glm::dvec2 wind_velocity() const { return wind.speed * wind_to(); }
   /// Wind velocity (x, z; m/s) with gusts at a place, `height` metres above the water, now:
-  /// logarithmic profile over z0 = 0.005 m, times one frozen periodic gust field that the mean wind
-  /// carries. Speed is at least 0; `height` below 0.05 m counts as 0.05 m.
+  /// logarithmic profile over z0 = 0.005 m, times the mean wind with one frozen periodic gust field
+  /// that it carries, and what squalls add. Speed is at least 0; `height` below 0.05 m counts as
+  /// 0.05 m.
   glm::dvec2 wind_at(glm::dvec2 position, double height) const;
   /// The gust factor alone (1 = mean wind), for the look of the water.
   double gust_factor(glm::dvec2 position) const;
   /// Where the gust field's origin lies now (x, z; metres, within one period), for its texture.
   glm::dvec2 gust_origin() const { return gust_origin_; }
+  /// The wind that rain brings down, from now on, with its grid's corner in the world (x, z; m).
+  void set_squalls(std::shared_ptr<const SquallField> squalls) { squalls_ = std::move(squalls); }
+  void set_squall_corner(glm::dvec2 corner) { squall_corner_ = corner; }
+  /// Never null.
+  const std::shared_ptr<const SquallField>& squalls() const { return squalls_; }
+  glm::dvec2 squall_corner() const { return squall_corner_; }
   /// How far the mean wind at 10 m has carried the air since time 0 (x, z; m): where clouds are.
   glm::dvec2 air_drift() const { return air_drift_; }
 
@@ -86,6 +95,8 @@ class Environment {
   double elapsed_ = 0.0;
   glm::dvec2 gust_origin_{0.0};
   glm::dvec2 air_drift_{0.0};
+  std::shared_ptr<const SquallField> squalls_ = std::make_shared<SquallField>();
+  glm::dvec2 squall_corner_{0.0};
   mutable Ephemeris ephemeris_;
   mutable CelestialState celestial_;
   mutable double celestial_key_[3] = {1e300, 0.0, 0.0};

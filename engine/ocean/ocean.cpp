@@ -23,6 +23,7 @@ constexpr double kAtOnce = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMaxSquares = 8192;
 constexpr double kFoamLength = 7.3;  // m across the wind; no multiple of a cascade's length
 constexpr int kFoamTexels = 256;
+constexpr int kHorizonTexels = 256;         // of the sky's strip
 constexpr double kTallestWave = 1.5;        // over Hs: none in a day's 10 000 waves is higher
 constexpr double kFarthestInWater = 250.0;  // m: no surface is seen from below beyond that
 
@@ -36,11 +37,17 @@ double fraction(double x) { return x - std::floor(x); }
 
 ShaderDefines mesh_defines(const OceanSettings& settings) {
   return {{"MORPH", std::to_string(SeaMesh::kMorph)},
-          {"FOOTPRINT_RATIO", settings.mesh_cells <= 8 ? "3.0" : "4.0"}};
+          {"FOOTPRINT_RATIO", settings.mesh_cells <= 8 ? "4.0" : "5.0"}};
 }
 
 ShaderDefines two_sided(ShaderDefines defines) {
   defines.emplace_back("TWO_SIDED", "1");
+  return defines;
+}
+
+ShaderDefines surface_defines(const OceanSettings& settings, bool hull) {
+  ShaderDefines defines{{"CASCADES", std::to_string(settings.cascades)}};
+  if (hull) defines.emplace_back("HULL", "");
   return defines;
 }
 
@@ -60,7 +67,7 @@ OceanSettings OceanSettings::of_quality(int quality) {
   settings.quality = quality;
   settings.size = quality <= 0 ? 128 : 256;
   settings.mesh_cells = quality <= 0 ? 8 : quality == 1 ? 14 : quality == 2 ? 22 : 32;
-  settings.cascades = quality >= 3 ? 4 : 3;
+  settings.cascades = quality <= 0 ? 3 : quality <= 2 ? 4 : 5;
   settings.foam_size = quality <= 0 ? 128 : 256;
   return settings;
 }
@@ -75,7 +82,11 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
           shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"}, mesh_defines(settings))),
       two_sided_mesh_program_(shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"},
                                               two_sided(mesh_defines(settings)))),
-      surface_(shaders.program({"post/full_screen.vert", "ocean/surface.frag"})),
+      surface_(shaders.program({"post/full_screen.vert", "ocean/surface.frag"},
+                               surface_defines(settings, false))),
+      surface_over_hull_(shaders.program({"post/full_screen.vert", "ocean/surface.frag"},
+                                         surface_defines(settings, true))),
+      horizon_(shaders.program({"post/full_screen.vert", "ocean/air.frag"})),
       squares_("sea.squares", kMaxSquares * sizeof(SeaMesh::Square)),
       block_("sea.block", sizeof(shared::OceanData)),
       array_("sea.mesh"),
@@ -86,6 +97,7 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
       wrap_sampler_("sea.wrapped", GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
       foam_(make_foam_pattern(kFoamTexels)),
       gusts_(make_gusts()),
+      squalls_("sea.squalls", {.format = GL_R16F}),
       roughness_("sea.roughness",
                  {.format = GL_RGBA32F, .width = shared::kRoughnessEntries, .height = 1}),
       foam_map_(shaders, settings.foam_size),
@@ -253,6 +265,11 @@ void Ocean::update_block(const OceanView& view) {
   const glm::dvec2 gust = (view.eye - view.gust_origin) / GustField::kPeriod;
   data.gust = glm::vec4(glm::dvec4(fraction(gust.x), fraction(gust.y), 1.0 / GustField::kPeriod,
                                    GustField::kIntensity * view.gusts));
+  if (view.squalls && view.squalls->any()) {
+    const double period = view.squalls->period();
+    const glm::dvec2 squall = (view.eye - view.squall_corner) / period;
+    data.squall = glm::vec4(glm::dvec4(fraction(squall.x), fraction(squall.y), 1.0 / period, 1.0));
+  }
 
   const glsl::WaterOptics body = glsl::water_optics(view.chlorophyll);
   const glm::dvec3 extinction = body.absorption + 30.0 * body.backscatter;
@@ -278,9 +295,18 @@ void Ocean::bind_surface(const PassContext& context, const SeaIds& sea) const {
   block_.bind_uniform(OFFING_BIND_OCEAN);
 }
 
+void Ocean::show_squalls(const std::shared_ptr<const SquallField>& squalls) {
+  if (!squalls || !squalls->any() || squalls == squalls_shown_) return;
+  const gl::TextureDesc desc{
+      .format = GL_R16F, .width = squalls->size(), .height = squalls->size()};
+  if (squalls_.desc() != desc) squalls_ = gl::Texture("sea.squalls", desc);
+  squalls_.upload(GL_RED, GL_FLOAT, squalls->strength().data());
+  squalls_shown_ = squalls;
+}
+
 void Ocean::unbind_samplers() {
-  for (const GLuint unit : {0u, 1u, 2u, GLuint{OFFING_UNIT_GUSTS}, GLuint{OFFING_UNIT_FOAM},
-                            GLuint{OFFING_UNIT_SEA_ROUGHNESS}}) {
+  for (const GLuint unit : {0u, 1u, 2u, 4u, GLuint{OFFING_UNIT_GUSTS}, GLuint{OFFING_UNIT_SQUALLS},
+                            GLuint{OFFING_UNIT_FOAM}, GLuint{OFFING_UNIT_SEA_ROUGHNESS}}) {
     glBindSampler(unit, 0);
   }
 }
@@ -337,6 +363,7 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
     if (squares.size() > kMaxSquares) squares.resize(kMaxSquares);
   }
   const bool nothing_in_view = squares.empty();
+  show_squalls(view.squalls);
   gl::TextureDesc seen_desc = graph.desc(hdr);
   const TextureId hull = graph.create("sea.hull", seen_desc);
   seen_desc.format = GL_RGBA32F;
@@ -390,28 +417,52 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
                            from.width(), from.height(), 1);
       });
 
+  const TextureId horizon =
+      graph.create("sea.air", {.format = GL_RGBA32F, .width = kHorizonTexels, .height = 1});
+  graph.add(
+      "sea.air",
+      [&](PassBuilder& pass) {
+        sky.declare(pass);
+        pass.write(horizon, Access::kAttachment).render_to({horizon});
+        pass.skip_if(nothing_in_view || submerged);
+      },
+      [this, bind_sky = sky.bind](const PassContext& context) {
+        bind_sky(context);
+        horizon_.use();
+        horizon_.program().set(0, static_cast<float>(kHorizonTexels));
+        glDisable(GL_DEPTH_TEST);
+        glDisable(GL_BLEND);
+        no_vertices_.bind();
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+      });
+
   graph.add(
       "sea.draw",
       [&](PassBuilder& pass) {
-        pass.read(sea.displacement).read(sea.slopes).read(above).read(foam).read(dry);
-        if (hull_shows) pass.read(hull);
+        pass.read(sea.displacement).read(sea.slopes).read(above).read(foam).read(horizon);
+        if (hull_shows) pass.read(hull).read(dry);
         sky.declare(pass);
         pass.modify(hdr).render_to({hdr});
         pass.skip_if(nothing_in_view || submerged);
       },
-      [this, sea, above, foam, dry, hull, hull_shows,
+      [this, sea, above, foam, horizon, dry, hull, hull_shows,
        bind_sky = sky.bind](const PassContext& context) {
         bind_surface(context, sea);
         context.texture(above).bind(3);
-        context.texture(dry).bind(5);
-        if (hull_shows) context.texture(hull).bind(6);
+        context.texture(horizon).bind(4);
+        wrap_sampler_.bind(4);
+        if (hull_shows) {
+          context.texture(dry).bind(5);
+          context.texture(hull).bind(6);
+        }
         gusts_.bind(OFFING_UNIT_GUSTS);
+        squalls_.bind(OFFING_UNIT_SQUALLS);
+        wrap_sampler_.bind(OFFING_UNIT_SQUALLS);
         wrap_sampler_.bind(OFFING_UNIT_GUSTS);
         context.texture(foam).bind(OFFING_UNIT_FOAM);
         wrap_sampler_.bind(OFFING_UNIT_FOAM);
         bind_sky(context);
-        surface_.use();
-        surface_.program().set(0, hull_shows ? 1 : 0);
+        (hull_shows ? surface_over_hull_ : surface_).use();
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_BLEND);
         no_vertices_.bind();

@@ -3,10 +3,12 @@
 #include <glm/vec2.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "engine/environment/environment.h"
+#include "engine/environment/squall_field.h"
 #include "engine/gl/program.h"
 #include "engine/graph/frame_graph.h"
 #include "engine/ocean/foam_law.h"
@@ -39,14 +41,16 @@ struct OceanSettings {
 
 /// From where the sea is looked at.
 struct OceanView {
-  glm::mat4 clip_from_relative{1.0f};  ///< as in shared::FrameData
-  glm::dvec2 eye{0.0};                 ///< x, z of the camera in the world, m
-  double eye_height = 2.0;             ///< above the mean sea level, m
-  double time = 0.0;                   ///< the sea's clock, s; foam grows older by it
-  bool hull_in_view = false;           ///< something stands in the water where one looks
-  double gusts = 0.0;                  ///< strength, 0 to 1
-  glm::dvec2 gust_origin{0.0};         ///< where the gust field's origin lies now, m
-  double chlorophyll = 0.4;            ///< of the water, mg/m^3
+  glm::mat4 clip_from_relative{1.0f};          ///< as in shared::FrameData
+  glm::dvec2 eye{0.0};                         ///< x, z of the camera in the world, m
+  double eye_height = 2.0;                     ///< above the mean sea level, m
+  double time = 0.0;                           ///< the sea's clock, s; foam grows older by it
+  bool hull_in_view = false;                   ///< something stands in the water where one looks
+  double gusts = 0.0;                          ///< strength, 0 to 1
+  glm::dvec2 gust_origin{0.0};                 ///< where the gust field's origin lies now, m
+  std::shared_ptr<const SquallField> squalls;  ///< none if null
+  glm::dvec2 squall_corner{0.0};               ///< where their grid begins, m
+  double chlorophyll = 0.4;                    ///< of the water, mg/m^3
   Lens lens = Lens::kDry;
 };
 
@@ -114,6 +118,7 @@ class Ocean {
   std::shared_ptr<const QueryWaves> query_waves(std::span<const Cascade> cascades) const;
   void update_block(const OceanView& view);
   void bind_surface(const PassContext& context, const SeaIds& sea) const;
+  void show_squalls(const std::shared_ptr<const SquallField>& squalls);
   static void unbind_samplers();
   SurfaceAccess surface_access(const SeaIds& sea, TextureId foam) const;
 
@@ -126,12 +131,15 @@ class Ocean {
   const ShaderProgram& mesh_program_;
   const ShaderProgram& two_sided_mesh_program_;  ///< tells from which side water is seen
   const ShaderProgram& surface_;
+  const ShaderProgram& surface_over_hull_;  ///< where one shows through the water
+  const ShaderProgram& horizon_;            ///< the sky's strip
   gl::Buffer vertices_, indices_, squares_, block_;
   gl::VertexArray array_, no_vertices_;
   gl::Sampler map_sampler_, foam_sampler_;
   gl::Sampler line_sampler_, wrap_sampler_;
   gl::Texture foam_;  ///< its pattern
-  gl::Texture gusts_, roughness_;
+  gl::Texture gusts_, squalls_, roughness_;
+  std::shared_ptr<const SquallField> squalls_shown_;
   FoamMap foam_map_;
   FoamLaw foam_law_;
   std::uint64_t shown_ = 0;  ///< counts show()

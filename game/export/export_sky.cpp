@@ -8,6 +8,7 @@
 #include "game/export/exports.h"
 #include "game/frame/frame_view.h"
 #include "game/frame/quality.h"
+#include "game/world/clouds.h"
 
 namespace offing {
 

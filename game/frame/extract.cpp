@@ -8,6 +8,7 @@
 #include "engine/core/angles.h"
 #include "engine/sky/sky.h"
 #include "game/frame/frame_view.h"
+#include "game/world/clouds.h"
 
 namespace offing {
 namespace {
@@ -91,19 +92,6 @@ bool sea_in_view(const glm::mat4& relative_from_clip, double camera_height) {
 
 }  // namespace
 
-CloudView cloud_view(const Scene& scene, const Environment& environment, glm::dvec3 eye) {
-  CloudView view;
-  view.weather = environment.clouds;
-  view.drift = environment.air_drift();
-  view.wind_to = environment.wind_to();
-  view.wind_speed = environment.wind.speed;
-  view.elapsed = environment.elapsed();
-  view.eye = eye;
-  view.seed = static_cast<std::uint64_t>(scene.seed);
-  view.parameters = scene.clouds;
-  return view;
-}
-
 Extractor::Extractor()
     : light_(Starlight(load_stars(star_file()), load_milky_way(milky_way_file()))) {}
 
@@ -129,6 +117,8 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
   view.camera = pose.position;
   view.sea_time = world.drawn_time();
   view.gust_origin = environment.gust_origin();
+  view.squalls = environment.squalls();
+  view.squall_corner = environment.squall_corner();
   view.chlorophyll = chlorophyll_of(world.scene().sea.clarity_m);
   view.light =
       paint(world.scene(),

@@ -53,6 +53,8 @@ OceanView ocean_view(const FrameView& view, const Techniques& t, Lens lens) {
   sea.hull_in_view = t.boat.in_view(view.boat, view.frame);
   sea.gusts = view.frame.wind.y;
   sea.gust_origin = view.gust_origin;
+  sea.squalls = view.squalls;
+  sea.squall_corner = view.squall_corner;
   sea.chlorophyll = view.chlorophyll;
   sea.lens = lens;
   return sea;
@@ -116,6 +118,7 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   const bool sky_visible = view.sky_visible && wet != Lens::kSubmerged;
   GardnerView gardner = view.gardner;
   gardner.sky_visible = sky_visible;
+  gardner.size = view.size;
 
   add_begin(graph, view, t.frame_block, hdr, depth);
   const SkyIds sky = t.sky.add_tables(graph, view.light);
@@ -133,7 +136,7 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   t.sky.add_background(graph, view.light, sky, hdr, depth, sky_visible);
   t.gardner.add(graph, gardner, view.light, t.sky, sky, hdr, depth);
   t.clouds.add_picture(graph, clouds, view.clouds, cloud_camera(view), t.sky, sky, hdr, depth,
-                       sky_visible);
+                       sky_visible, wet != Lens::kSubmerged);
   t.ocean.add_underwater(graph, view.underwater, sea, light, under, hdr);
 
   const BufferId exposure = t.exposure.add(graph, hdr,

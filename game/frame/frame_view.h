@@ -27,12 +27,14 @@ struct FlotsamView {
 
 /// One frame as data: all that crosses from the simulation to the picture. Never changed once made.
 struct FrameView {
-  glm::ivec2 size{1};           ///< pixels
-  shared::FrameData frame;      ///< as the shaders read it
-  glm::dvec3 camera{0.0};       ///< world, m
-  double sea_time = 0.0;        ///< s
-  glm::dvec2 gust_origin{0.0};  ///< of the gust field now, m
-  double chlorophyll = 0.4;     ///< of the water, mg/m^3
+  glm::ivec2 size{1};                          ///< pixels
+  shared::FrameData frame;                     ///< as the shaders read it
+  glm::dvec3 camera{0.0};                      ///< world, m
+  double sea_time = 0.0;                       ///< s
+  glm::dvec2 gust_origin{0.0};                 ///< of the gust field now, m
+  std::shared_ptr<const SquallField> squalls;  ///< the wind that rain brings down
+  glm::dvec2 squall_corner{0.0};               ///< of its grid now, m
+  double chlorophyll = 0.4;                    ///< of the water, mg/m^3
   SkyLight light;
   CloudView clouds;
   BoatView boat;
@@ -42,9 +44,6 @@ struct FrameView {
   UnderwaterView underwater;
   bool sea_visible = true, sky_visible = true;
 };
-
-/// The clouds of a scene in this environment, seen from `eye` (world, m).
-CloudView cloud_view(const Scene& scene, const Environment& environment, glm::dvec3 eye);
 
 /// Makes FrameViews. Holds only what is worth keeping of the sky's light from frame to frame.
 class Extractor {

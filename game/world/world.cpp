@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "engine/core/angles.h"
+#include "engine/core/random.h"
+#include "game/world/clouds.h"
 
 namespace offing {
 
@@ -17,7 +19,25 @@ World::World(Scene scene, const WaterSurface& water)
       boat_(scene_.boat.parameters),
       camera_(scene_.camera) {}
 
+// The rain of the present clouds, and the wind that it brings down.
+void World::update_rain() {
+  Environment& environment = scene_.environment;
+  const CloudView view = cloud_view(scene_, environment, glm::dvec3(0.0));
+  const bool changed = rain_.update(view);
+  const double strength = scene_.clouds.effects.squalls;
+  const std::uint64_t key = hash_of(environment.wind.speed, environment.wind.from_deg, strength);
+  if (changed || key != squall_key_) {
+    squall_key_ = key;
+    environment.set_squalls(
+        rain_.any() ? std::make_shared<SquallField>(rain_.rain(), RainCells::kSize, rain_.period(),
+                                                    environment.wind_velocity(), strength)
+                    : std::make_shared<SquallField>());
+  }
+  if (rain_.any()) environment.set_squall_corner(rain_.corner(view));
+}
+
 void World::start() {
+  update_rain();
   boat_.start(scene_.boat.position, radians(scene_.boat.heading_deg), scene_.boat.speed, water_,
               scene_.environment.elapsed());
   owed_ = 0.0;
@@ -61,6 +81,7 @@ void World::update(const Helm& helm, double dt) {
         thing.body.step(water_, time_before_, kStep);
       }
       scene_.environment.advance(kStep);
+      update_rain();
       owed_ -= kStep;
     }
     draw_between(std::max(owed_, 0.0) / kStep);

@@ -6,6 +6,7 @@
 #include "engine/boat/boat.h"
 #include "engine/boat/environment_wind.h"
 #include "engine/boat/floating_body.h"
+#include "engine/clouds/rain_cells.h"
 #include "engine/ocean/water_surface.h"
 #include "game/world/camera.h"
 #include "game/world/scene.h"
@@ -54,6 +55,7 @@ class World {
 
   Scene& scene() { return scene_; }
   const Scene& scene() const { return scene_; }
+  const RainCells& rain() const { return rain_; }
   Environment& environment() { return scene_.environment; }
   const Environment& environment() const { return scene_.environment; }
   Boat& boat() { return boat_; }
@@ -78,6 +80,10 @@ class World {
 
   Scene scene_;
   const WaterSurface& water_;
+  void update_rain();
+
+  RainCells rain_;
+  std::uint64_t squall_key_ = 0;
   EnvironmentWind wind_;
   Boat boat_;
   Camera camera_;

@@ -81,18 +81,19 @@ CloudPlace cloud_place_beside(CloudPlace place, vec3 p) {
 float cloud_most_inside(CloudPlace place) { return place.inside + 0.5 * place.freedom; }
 
 // How far a ray can go on from a place without meeting any cloud, because the coarse cell of the weather
-// that it crosses holds none at any height: to the cell's end, or 0.
-float cloud_clear_way(CloudPlace place, vec3 direction) {
-  vec2 cells = vec2(textureSize(cloud_most, 0));
-  vec2 at = cloud_weather_at(place.plan) * cells;
-  vec4 most = textureLod(cloud_most, at / cells, 0.0);
-  CloudKind kind = cloud_kind(most.g, 0.0);
-  float inside = cloud_strength(kind, most.r - clouds.weather.w) - clouds.form.x +
-                 0.5 * kind.roughness * clouds.form.y;
-  vec2 way = (direction.xz - clouds.wind.xy * (clouds.wind.z * direction.y)) * clouds.weather.z * cells;
-  way = vec2(abs(way.x) < 1.0e-9 ? 1.0e-9 : way.x, abs(way.y) < 1.0e-9 ? 1.0e-9 : way.y);
-  vec2 ends = (floor(at) + step(vec2(0.0), way) - at) / way;
-  return inside > 0.0 ? 0.0 : min(ends.x, ends.y) + 1.0;
+// that it crosses holds none, or none so high on a way up: to the cell's end, or 0.
+float cloud_clear_way(vec3 p, vec3 direction) {
+  const float kCells = 64.0;  // WeatherMap::kCells
+  float altitude = cloud_altitude(p);
+  vec2 at = cloud_weather_at(cloud_unsheared(p, altitude)) * kCells;
+  float most = textureLod(cloud_most, at * (1.0 / kCells), 0.0).r;
+  float top = mix(2.0 * clouds.layer.w - clouds.layer.x, clouds.layer.y, most);
+  vec2 way = (direction.xz - clouds.wind.xy * (clouds.wind.z * direction.y)) * (clouds.weather.z * kCells);
+  // To whichever wall comes first.
+  vec2 ahead = 0.5 + sign(way) * (fract(at) - 0.5);  // 0 at the wall behind, 1 at the one before
+  vec2 ends = (1.0 - ahead) / max(abs(way), vec2(1.0e-9));
+  bool clear = most <= 0.0 || (direction.y >= 0.0 && altitude > top);
+  return clear ? min(ends.x, ends.y) + 1.0 : 0.0;
 }
 
 vec3 cloud_shape_at(CloudPlace place, vec3 p) {

@@ -1,15 +1,19 @@
 // Cirrus and cirrostratus: a thin layer of ice drawn as Gardner's sky plane (1), (3)-(6), (9). The plane
-// is bent with the earth, so that it ends behind the horizon. Multiplied and added onto the sky.
+// is bent with the earth, so that it ends behind the horizon. Drawn smaller than the screen, since nothing
+// of it is sharp; composite.frag puts it over the sky.
 #include "shared/frame.h"
 #include "sky/sky.glsl"
-#include "sky/pixel.glsl"
 #include "clouds/far_air.glsl"
 #include "lib/phase_cloud.glsl"
 #include "lib/cloud_scattering.glsl"
 #include "lib/gardner.glsl"
 #include "shared/gardner.h"
 
-layout(location = 0) out vec4 colour;
+layout(binding = 0) uniform sampler2D tile;  // gardner_tile.comp; repeating, with mips
+layout(location = 1) uniform float scale;    // width of a pixel over the screen's
+layout(location = 0) out vec4 colour;        // radiance × exposure, transmittance
+
+const float kBrightest = 30000.0;  // two of them still fit a half float
 
 // Crystals scatter forward, some a great deal; plates and columns bend light by 22 degrees.
 const float kIceG = 0.76;
@@ -26,8 +30,29 @@ float ice_phase(float cosine) {
   return mix(body, halo, kHaloShare);
 }
 
+// The texture function at a place in wavelengths; what is finer than `footprint` (in the same) is smoothed away.
+float texture_at(vec2 at, float footprint) {
+  return textureLod(tile, 0.5 * at, log2(max(0.5 * footprint * float(textureSize(tile, 0).x), 1.0))).r;
+}
+
+// Optical depth of the layer. Where it is dense Gardner's (9) tells, of a texture that a second look at it has
+// bent; there a third, long along the wind and narrow across, draws it out into fibres. Whole multiples of the
+// first one's wavelengths, so that all repeat after its period.
+float layer_depth(vec2 at, float footprint) {
+  const vec2 kFibres = vec2(2.0, 13.0);
+  const float kBend = 0.9, kFringe = 0.30;
+  at.y += kBend * (texture_at(at.yx, 0.35) - 0.3);
+  float fibre = texture_at(at * kFibres + 0.7, kFibres.y * footprint);
+  float fine = texture_at(at * kFibres.yx + vec2(0.2, 0.9), kFibres.y * footprint);
+  float value = texture_at(at, footprint) + kFringe * (0.7 * fibre + 0.3 * fine - 0.3);
+  float dense = 1.0 - gardner_translucency(value, gardner.high_form.x, gardner.high_form.y);
+  return gardner.high_form.z * dense * (0.2 + 2.4 * fibre * fibre + 0.6 * fine);
+}
+
 void main() {
-  vec3 d = pixel_direction();
+  vec2 corner = gl_FragCoord.xy * scale * frame.viewport.zw * 2.0 - 1.0;
+  vec4 ahead = frame.relative_from_clip * vec4(corner, 1.0, 1.0);
+  vec3 d = normalize(ahead.xyz / ahead.w);
   float rise = gardner.high.w - frame.camera.y;
   float curvature = 0.5e-3 / kPlanetRadius;
   float flat2 = max(1.0 - d.y * d.y, 0.0);
@@ -38,10 +63,8 @@ void main() {
   vec2 at = gardner.high.xy + turned * gardner.high.z * vec2(1.0 / gardner.high_wind.z, 1.0);
   // A pixel's length on the plane, which is seen at a slant.
   float slant = max((rise + along * along * flat2 * curvature) / along, 0.02);
-  float footprint = along * frame.camera.w * gardner.high.z * inversesqrt(slant);
-  float value = gardner_texture(vec3(at, 0.0), int(gardner.high_form.w), gardner.high_wind.w, footprint);
-  float depth = gardner.high_form.z *
-                (1.0 - gardner_translucency(value, gardner.high_form.x, gardner.high_form.y));
+  float footprint = along * scale * frame.camera.w * gardner.high.z * inversesqrt(slant);
+  float depth = layer_depth(at, footprint);
   float transmittance = exp(-depth / slant);
 
   vec3 toward = gardner.light_direction.xyz;

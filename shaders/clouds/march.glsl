@@ -20,6 +20,7 @@
 #ifndef PIXEL_ANGLE  // radians that one ray stands for
 #define PIXEL_ANGLE frame.camera.w
 #endif
+const float kShows = 1.0e-3;  // share of the picture that is worth being lit
 const float kLeast = LEAST;  // transmittance at which a ray has seen all that shows
 
 struct CloudSight {
@@ -138,55 +139,44 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
   float weight = 0.0, weighted = 0.0;
   float pixel = PIXEL_ANGLE;
   float t = near;
-  float before = -1.0;      // the signed field at the last sample
-  float step_length = max(FINEST, GROWTH * t) * clouds.march.x;
-  t += 0.4 * jitter * step_length;
+  float before = -1.0;      // the signed field at the last sample, and where that was
+  float last = near;
+  t += 0.4 * jitter * max(FINEST, GROWTH * t) * clouds.march.x;
   for (int i = 0; i < STEPS; ++i) {
-    CloudPlace place;
-    vec3 p;
-    float most = 0.0;
-    // Through empty air on the weather alone.
+    // Through empty air cell by cell of the weather.
+    vec3 p = ray.direction * t;
     for (int skip = 0; skip < SKIPS; ++skip) {
+      float clear = LONGEST_SKIP > 0.0 ? min(cloud_clear_way(p, ray.direction), REACH) : 0.0;
+      if (clear <= 0.0 || t > far) break;
+      before = -1.0;
+      t += clear;
       p = ray.direction * t;
-      place = cloud_place(p);
-      most = cloud_most_inside(place);
-      if (most > 0.0 || t > far) break;
-      before = most;
-      step_length = max(FINEST, GROWTH * t) * clouds.march.x;
-      step_length = clamp(-most * 260.0 * clouds.form.w, step_length,
-                          max(LONGEST_SKIP * step_length + 37.5 * LONGEST_SKIP, step_length));
-      if (LONGEST_SKIP > 0.0) {
-        step_length = max(step_length, min(cloud_clear_way(place, ray.direction), REACH));
-      }
-      t += step_length;
     }
     if (t > far) break;
-    // What was skipped is empty: no cloud is spread over it.
-    step_length = min(step_length, 4.0 * max(FINEST, GROWTH * t) * clouds.march.x);
+    CloudPlace place = cloud_place(p);
+    float base_step = max(FINEST, GROWTH * t) * clouds.march.x;
     float footprint = pixel * t;
-    float inside = cloud_body(place, p, footprint);
-    // Detail where the edge is near; it only takes away.
-    float erosion = cloud_erosion(place, p, footprint);
-    inside -= erosion;
-    float extinction = clouds.layer.z * place.kind.extinction *
-                       cloud_filling(place.x) * cloud_mean_ramp(before, inside, kCloudEdgeWidth);
-    before = inside;
-    float depth = extinction * step_length * clouds.light.y;
-    float altitude = cloud_altitude(p);
-    float to_light = depth_to_light(place, p, footprint, depth > 1.0e-5 ? light_steps : 0);
-    vec3 source = cloud_leaving(ray, place, altitude, to_light, depth_beyond(place, inside, p));
+    // Detail only takes away.
+    float inside = cloud_body(place, p, footprint) - cloud_erosion(place, p, footprint);
+    // What was skipped is empty: no cloud is spread over it.
+    float passed = min(t - last, 4.0 * base_step);
+    float depth = clouds.layer.z * place.kind.extinction * cloud_filling(place.x) *
+                  cloud_mean_ramp(before, inside, kCloudEdgeWidth) * passed * clouds.light.y;
     float share = sight.transmittance * (1.0 - exp(-depth));
+    // Lit only where it shows.
+    float to_light = depth_to_light(place, p, footprint, share > kShows ? light_steps : 0);
+    vec3 source = cloud_leaving(ray, place, cloud_altitude(p), to_light, depth_beyond(place, inside, p));
     sight.radiance += share * source;
     weight += share;
     weighted += share * t;
     sight.transmittance *= exp(-depth);
     if (sight.transmittance < kLeast) break;
+    before = inside;
+    last = t;
     // In cloud as fine as one can see; outside an edge as far as the field allows.
-    float base_step = max(FINEST, GROWTH * t) * clouds.march.x;
-    step_length = inside > 0.0 ? base_step * (1.0 + 1.5 * (1.0 - sight.transmittance))
-                               : clamp(-inside * 200.0 * clouds.form.w, base_step,
-                                       max(LONGEST_SKIP, 1.0) * base_step);
-    t += step_length;
+    t += inside > 0.0 ? base_step * (1.0 + 1.5 * (1.0 - sight.transmittance))
+                      : clamp(-inside * 260.0 * clouds.form.w, base_step,
+                              max(LONGEST_SKIP * base_step + 37.5 * LONGEST_SKIP, base_step));
   }
   // A ray that has seen all that shows has seen it all.
   float rescale = 1.0 / (1.0 - kLeast);

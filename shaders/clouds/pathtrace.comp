@@ -16,7 +16,7 @@ const int kMostTurns = 1000;
 const int kTurnsBeforeRoulette = 40;
 const float kSurvival = 0.97;
 
-uint random_state;
+uint random_state = 0u;
 
 // PCG's output function over a counter (Jarzynski & Olano 2020).
 float random_share() {
@@ -61,19 +61,33 @@ float light_through(vec3 origin, vec3 direction) {
   return through;
 }
 
+// The phase function that the march has of light scattered once.
 float phase_toward(float cosine) {
-  float phase = dual_phase(clouds.phase.x, clouds.phase.y, clouds.phase.z, cosine);
+  float phase = dual_henyey_greenstein(clouds.phase.x, -clouds.phase.y, clouds.phase.z, cosine);
+  for (int i = 0; i < int(clouds.march.y > 0.0); ++i) {
+    phase = droplet_scattering_with_bows(droplet_phase(clouds.march.y), droplet_bows(clouds.march.y, 0.55), cosine);
+  }
   return mix(0.25 / kPhasePi, phase, clouds.phase.w);
 }
 
-// A turn drawn from that phase function.
-float random_cosine() {
-  if (random_share() >= clouds.phase.w) return 2.0 * random_share() - 1.0;
-  float g = random_share() < clouds.phase.z ? -clouds.phase.y : clouds.phase.x;
+// Two lobes of Henyey and Greenstein near to that phase function, of which turns are drawn: g of the first and
+// of the second, share of the second.
+vec3 drawn_lobes() {
+  DropletPhase droplets = droplet_phase(clouds.march.y);
+  return clouds.march.y > 0.0 ? vec3(droplets.g_peak, droplets.g_lobe, droplets.lobe)
+                              : vec3(clouds.phase.x, -clouds.phase.y, clouds.phase.z);
+}
+
+// A turn's cosine, and what the light is worth after it: phase function over the density it was drawn with.
+vec2 random_turn() {
+  vec3 lobes = drawn_lobes();
+  bool even = random_share() >= clouds.phase.w;
+  float g = random_share() < lobes.z ? lobes.y : lobes.x;
   float u = random_share();
-  if (abs(g) < 1.0e-3) return 2.0 * u - 1.0;
   float r = (1.0 - g * g) / (1.0 - g + 2.0 * g * u);
-  return clamp((1.0 + g * g - r * r) / (2.0 * g), -1.0, 1.0);
+  float cosine = even || abs(g) < 1.0e-3 ? 2.0 * u - 1.0 : clamp((1.0 + g * g - r * r) / (2.0 * g), -1.0, 1.0);
+  float density = mix(0.25 / kPhasePi, dual_henyey_greenstein(lobes.x, lobes.y, lobes.z, cosine), clouds.phase.w);
+  return vec2(cosine, phase_toward(cosine) / density);
 }
 
 vec3 turned(vec3 direction, float cosine) {
@@ -98,7 +112,9 @@ vec3 trace(vec3 p, vec3 direction, vec3 from_below) {
   for (int turn = 0; turn < kMostTurns; ++turn) {
     vec3 toward = clouds.light_direction.xyz;
     light += worth * phase_toward(dot(direction, toward)) * light_through(p, toward) * light_at(p);
-    direction = turned(direction, random_cosine());
+    vec2 turn_drawn = random_turn();
+    direction = turned(direction, turn_drawn.x);
+    worth *= turn_drawn.y;
     float t = next_droplet(p, direction);
     if (t < 0.0) {
       vec3 sky = clouds.ambient.y * sky_radiance(direction);

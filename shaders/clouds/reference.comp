@@ -56,9 +56,9 @@ void main() {
       CloudPlace place = cloud_place(p);
       float depth = extinction * step_length * clouds.light.y;
       vec3 light = clouds.light_direction.xyz;
-      vec3 source = cloud_source(ray, place, p, cloud_altitude(p), whole_depth(p, light, footprint),
-                                 whole_depth(p, -light, footprint));
-      float share = transmittance * cloud_step_light(depth);
+      vec3 source = cloud_leaving(ray, place, cloud_altitude(p), whole_depth(p, light, footprint),
+                                  whole_depth(p, -light, footprint));
+      float share = transmittance * (1.0 - exp(-depth));
       radiance += share * source;
       weight += share;
       weighted += share * t;

@@ -22,7 +22,8 @@ struct CloudKind {
 };
 
 float cloud_blend(float a, float b, float c, float type) {
-  return type < 0.5 ? mix(a, b, 2.0 * type) : mix(b, c, 2.0 * type - 1.0);
+  float from_middle = 2.0 * type - 1.0;
+  return b + (from_middle < 0.0 ? b - a : c - b) * from_middle;
 }
 
 const float kStormThickness = 8000.0;
@@ -30,7 +31,7 @@ const float kStormThickness = 8000.0;
 CloudKind cloud_kind(float type, float rain) {
   CloudKind kind;
   float storm = rain * rain * type;
-  kind.thickness = mix(cloud_blend(260.0, 520.0, 1300.0, type), kStormThickness, storm);
+  kind.thickness = mix(cloud_blend(260.0, 520.0, 1050.0, type), kStormThickness, storm);
   kind.full = mix(cloud_blend(0.12, 0.20, 0.34, type), 0.30, storm);
   kind.roughness = mix(cloud_blend(0.55, 1.0, 1.35, type), 0.8, storm);
   kind.bottom = mix(cloud_blend(0.25, 0.16, 0.05, type), 0.012, storm);
@@ -65,7 +66,7 @@ float cloud_freedom(float x) { return mix(0.30, 1.0, smoothstep(0.0, 0.22, x)); 
 float cloud_edge(float noise, float x) { return mix(noise, 1.0 - noise, smoothstep(0.02, 0.22, x)); }
 
 // From the signed distance to the edge (in units of `full`) to the share of full density.
-const float kCloudEdgeWidth = 0.13;
+const float kCloudEdgeWidth = 0.28;
 // Clouds hold more water the higher above their base.
 float cloud_filling(float x) { return mix(0.55, 1.0, smoothstep(0.0, 0.35, x)); }
 float cloud_density_from(float inside, float x) {

@@ -4,19 +4,24 @@
 #include "shared/frame.h"
 #include "shared/ocean.h"
 #include "lib/water.glsl"
-#include "sky/sky.glsl"
 #include "sky/probe.glsl"
 #include "clouds/shadow.glsl"
 #include "ocean/surface.glsl"
 #include "ocean/foam.glsl"
+#include "ocean/glints.glsl"
+#include "ocean/air.glsl"
 
 layout(location = 0) out vec4 colour;
 layout(binding = 3) uniform sampler2D sea_seen;  // see mesh.frag
-layout(binding = 5) uniform sampler2D dry;       // see mesh.frag
-layout(binding = 6) uniform sampler2D hull;      // the picture so far, where a hull is in view
+#ifdef HULL
+layout(binding = 5) uniform sampler2D dry;   // see mesh.frag
+layout(binding = 6) uniform sampler2D hull;  // the picture so far
+#endif
+layout(binding = 4) uniform sampler2D horizon_sky;  // see air.frag
 layout(binding = OFFING_UNIT_GUSTS) uniform sampler2D gusts;
-layout(location = 0) uniform int hull_in_view;
+layout(binding = OFFING_UNIT_SQUALLS) uniform sampler2D squalls;
 
+const int kMostBreaking = min(CASCADES, 2);  // cascades whose waves can be long enough to break
 const float kFoamAlbedo = 0.55;  // fresh whitecaps, Koepke 1984
 
 struct Surface {
@@ -24,20 +29,28 @@ struct Surface {
   vec3 covariance;  // of the slopes within the pixel: xx, zz, xz
 };
 
+// Interleaved gradient noise (Jimenez 2014), even over 0 … 1: neighbouring pixels differ as much as they can.
+float sea_die() {
+  return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+}
+
 Surface read_surface(vec2 parameter, float footprint) {
   float size = log2(footprint);
+  float die = sea_die();
   vec4 sum = vec4(0.0);
   float cross_term = 0.0;
-  int cascades = int(ocean.water.y), breaking = int(ocean.foam.z);
-  for (int c = 0; c < cascades; ++c) {
+  // Whole numbers at compile time, and no way out of the loop: a CPU renderer then reads the block once for
+  // all pixels.
+  for (int c = 0; c < CASCADES; ++c) {
     float level = sea_map_level_log2(c, size);
     float share = sea_map_share(level);
-    if (share <= 0.0) break;  // the cascades that follow are finer still
     vec3 place = sea_map_place(c, parameter);
+    level = sea_map_level_picked(level, die);
     sum += share * textureLod(sea_slopes, place, level);
     // Ripples are too low for their shear to turn a slope.
-    for (int i = c; i < min(c + 1, breaking); ++i) {
-      cross_term += share * textureLod(sea_displacement, place, level).w;
+    if (c < kMostBreaking) {
+      cross_term += (float(c) < ocean.foam.z ? share : 0.0) *
+                    textureLod(sea_displacement, place, level).w;
     }
   }
   Surface surface;
@@ -45,6 +58,9 @@ Surface read_surface(vec2 parameter, float footprint) {
   // Ripples answer a gust at once, and steeply: their growth goes with the square of the wind's pull
   // (Plant 1982), so do the cat's paws that sailors look for.
   float gust = 1.0 + ocean.gust.w * textureLod(gusts, ocean.gust.xy + parameter * ocean.gust.z, 0.0).r;
+  for (int i = 0; i < int(ocean.squall.w); ++i) {  // under rain
+    gust += textureLod(squalls, ocean.squall.xy + parameter * ocean.squall.z, 0.0).r;
+  }
   surface.covariance = sea_missing(size).xyz * clamp(gust * gust * gust, 0.2, 3.0);
   return surface;
 }
@@ -56,7 +72,8 @@ float variance_along(vec3 covariance, vec2 direction) {
 
 // Light of a disc mirrored by the facets that happen to face half way (Cox & Munk 1954; the mean over
 // facets after Ross, Dion & Potvin 2005): radiance = E F p / (4 n_y^4 area).
-vec3 glitter(Surface surface, vec3 view, float shown_area, vec3 light, vec3 illuminance) {
+vec3 glitter(Surface surface, vec3 view, float shown_area, vec3 light, vec3 illuminance,
+             vec2 parameter, float size) {
   vec3 sum = view + light;
   float length2 = dot(sum, sum);
   vec3 half_way = sum * inversesqrt(length2);
@@ -69,13 +86,13 @@ vec3 glitter(Surface surface, vec3 view, float shown_area, vec3 light, vec3 illu
   float reach = level > 0.0 ? visible_share(level, sqrt(variance_along(surface.covariance, light.xz)))
                             : 0.0;
   float ny2 = half_way.y * half_way.y;
+  density *= glint(parameter, size, density, frame.time.x);
   return illuminance * (fresnel_water(clamp(cosine, 0.0, 1.0)) * density * reach /
                         (4.0 * max(ny2 * ny2, 1.0e-3) * max(shown_area, 1.0e-3)));
 }
 
-void main() {
-  vec4 seen = texelFetch(sea_seen, ivec2(gl_FragCoord.xy), 0);
-  if (seen.w <= 0.0) discard;
+// Radiance of the water that a pixel sees (mesh.frag).
+vec3 sea_radiance(vec4 seen) {
   vec2 parameter = seen.xy;
   float distance = seen.w;
   vec4 way = frame.relative_from_clip *
@@ -127,19 +144,21 @@ void main() {
   vec3 through = mix(ocean.crest_thick.rgb, ocean.crest_thin.rgb, thin * thin);
   body += through * (direct * (0.010 * away * away) + from_sky * 0.006) * crest;
 
+#ifdef HULL
   // A hull under the surface, through the water before it and bent by its slope.
   vec2 sides = texelFetch(dry, ivec2(gl_FragCoord.xy), 0).xy;
   float water = sides.x > 0.0 ? 1.0 / sides.x - distance : 0.0;
-  for (int i = 0; i < hull_in_view * int(water > 0.0 && water < 8.0); ++i) {
+  for (int i = 0; i < int(water > 0.0 && water < 8.0); ++i) {
     vec2 shift = surface.slope * (0.5 * min(water, 1.0) / (frame.camera.w * max(distance, 1.0)));
     ivec2 at = ivec2(clamp(gl_FragCoord.xy + shift, vec2(0.0), frame.viewport.xy - 1.0));
     vec3 lost = exp(-(ocean.absorption.rgb + 12.0 * ocean.backscatter.rgb) * (2.0 * water));
     body = mix(body, texelFetch(hull, at, 0).rgb / frame.time.z, lost);
   }
+#endif
 
   radiance = sky_light * (reflectance * (1.0 - 0.55 * below)) +
              body * (1.0 - reflectance * (1.0 - 0.4 * below));
-  radiance += glitter(surface, view, facets.area, light, direct);
+  radiance += glitter(surface, view, facets.area, light, direct, parameter, seen.z);
 
   float up = inversesqrt(1.0 + steepness * steepness);
   vec3 white = kFoamAlbedo / kWaterPi *
@@ -147,7 +166,15 @@ void main() {
                 from_sky * (0.5 + 0.5 * up));
   radiance = mix(radiance, white, sea_foam(parameter, seen.z));
 
-  AirLight air = air_light(-view, distance);
-  radiance = radiance * air.transmittance + air.inscattered;
-  colour = vec4(max(radiance, vec3(0.0)) * frame.time.z, 1.0);
+  // Air that fills the view to the horizon looks as the horizon does.
+  vec3 clear = exp(-frame.haze.rgb * distance);
+  vec3 horizon = textureLod(horizon_sky, vec2(horizon_place(-view.xz), 0.5), 0.0).rgb;
+  radiance = mix(horizon, radiance, clear);
+  return max(radiance, vec3(0.0));
+}
+
+void main() {
+  vec4 seen = texelFetch(sea_seen, ivec2(gl_FragCoord.xy), 0);
+  if (seen.w <= 0.0) discard;
+  colour = vec4(sea_radiance(seen) * frame.time.z, 1.0);
 }

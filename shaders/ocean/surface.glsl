@@ -24,6 +24,12 @@ float sea_map_level_log2(int cascade, float size) { return max(size - ocean.grid
 float sea_map_level(int cascade, float size) { return sea_map_level_log2(cascade, log2(size)); }
 float sea_map_share(float level) { return 1.0 - smoothstep(kFadeFirst, kFadeLast, level); }
 
+// One of the two map levels on either side of `level`, by chance in proportion: the mean over pixels is
+// what reading both would give, at half the cost. `die`: even over 0 … 1.
+float sea_map_level_picked(float level, float die) {
+  return min(floor(level + die), float(kOceanMapLevels - 1));
+}
+
 vec4 sea_missing(float size_log2) {
   float entry = (size_log2 - kRoughnessFirst) * kRoughnessSteps;
   return textureLod(sea_roughness, vec2((entry + 0.5) / float(kRoughnessEntries), 0.5), 0.0);

@@ -33,3 +33,4 @@
 #define OFFING_UNIT_CLOUD_WEATHER 20  // where there are clouds, and which
 #define OFFING_UNIT_CLOUD_MOST 21     // the most of it round each of its coarse cells
 #define OFFING_UNIT_SEA_ROUGHNESS 22    // what the sea's maps do not show
+#define OFFING_UNIT_SQUALLS 23        // engine/environment/squall_field.h, repeating

@@ -31,6 +31,7 @@ struct OceanData {
   vec4 foam_grid;     // x, y: of the point below the camera; z, w: unit along the wind / length
   vec4 foam_stretch;  // x: length along over length across; y: that times texels per length
   vec4 gust;          // x, y: uv of the point below the camera; z: 1 / period (1/m); w: deviation / mean
+  vec4 squall;        // x, y: uv of the point below the camera; z: 1 / period (1/m); w: 1 where there are any
   // Water by linear RGB.
   vec4 body;          // rgb: radiance of the depths over the illuminance that falls on them
   vec4 crest_thin, crest_thick;  // rgb: light left by 1.2 and 9 m of it

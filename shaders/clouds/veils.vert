@@ -1,0 +1,6 @@
+// One triangle over the whole picture, at the depth beyond which veils show.
+layout(location = 0) uniform float depth;
+
+void main() {
+  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, depth, 1.0);
+}

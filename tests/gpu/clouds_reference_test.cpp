@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <cmath>
+
+#include "engine/clouds/gardner_parameters.h"
+#include "game/export/cloud_run.h"
+#include "support/graph_test.h"
+
+namespace offing {
+namespace {
+
+constexpr glm::ivec2 kSize{48, 27};
+
+class CloudReferenceTest : public test::GlTest {
+ protected:
+  static FrameView view(std::vector<std::string> sets) {
+    sets.insert(sets.end(), {"camera.mode=free", "camera.position=0,4,0", "camera.target=60,22,-80",
+                             "environment.time=13:00:00"});
+    return still_view(make_scene("default", sets), kSize);
+  }
+  static double mean_light(const CloudSightings& clouds) {
+    double sum = 0.0;
+    for (const glm::vec4& light : clouds.light) sum += light.y;
+    return sum / static_cast<double>(clouds.light.size());
+  }
+  static double mean_transmittance(const CloudSightings& clouds) {
+    double sum = 0.0;
+    for (const glm::vec4& light : clouds.light) sum += light.w;
+    return sum / static_cast<double>(clouds.light.size());
+  }
+  /// Root of the mean squared difference: of the transmittance, and of the light over its mean.
+  static glm::dvec2 error(const CloudSightings& exact, const CloudSightings& clouds) {
+    glm::dvec2 squares(0.0);
+    for (std::size_t i = 0; i < exact.light.size(); ++i) {
+      const glm::dvec4 off = glm::dvec4(clouds.light[i]) - glm::dvec4(exact.light[i]);
+      squares += glm::dvec2(off.w * off.w, off.y * off.y);
+    }
+    const glm::dvec2 root = glm::sqrt(squares / static_cast<double>(exact.light.size()));
+    return {root.x, root.y / mean_light(exact)};
+  }
+};
+
+TEST_F(CloudReferenceTest, TheMarchComesNearToItsReferenceAndBetterWithQuality) {
+  const FrameView day = view({});
+  CloudRun low(CloudQuality::of(0)), ultra(CloudQuality::of(3));
+  const CloudSightings exact = ultra.reference(day);
+  low.march(day);
+  ultra.march(day);
+  const glm::dvec2 of_low = error(exact, low.marched(day)),
+                   of_ultra = error(exact, ultra.marched(day));
+  EXPECT_GT(mean_light(exact), 100.0);
+  EXPECT_LT(of_ultra.x, 0.02);
+  // Light beyond its few steps is a guess at each place, right in the mean.
+  EXPECT_LT(of_ultra.y, 0.8);
+  EXPECT_NEAR(mean_light(ultra.marched(day)) / mean_light(exact), 1.0, 0.1);
+  EXPECT_LT(of_low.x, 0.3);  // of half the size
+  EXPECT_LT(of_ultra.x, of_low.x);
+  EXPECT_LT(of_ultra.y, of_low.y);
+}
+
+TEST_F(CloudReferenceTest, TheLightModelComesNearToThePathTracer) {
+  CloudRun run(CloudQuality::of(3));
+  const FrameView day = view({});
+  const CloudSightings model = run.reference(day), traced = run.path_trace(day, 32);
+  EXPECT_NEAR(mean_light(model) / mean_light(traced), 1.0, 0.15);
+  // A path either meets a cloud or does not: only the mean is free of that noise. The reference
+  // smooths noise to the width of a pixel, here 100 m at 5 km, which thins out edges.
+  EXPECT_NEAR(mean_transmittance(model), mean_transmittance(traced), 0.05);
+}
+
+TEST_F(CloudReferenceTest, ParametersAtTheirLimitsGiveFinitePictures) {
+  CloudRun run(CloudQuality::of(0));
+  for (const char* set : {"clouds.scale=0.25",
+                          "clouds.scale=4",
+                          "clouds.density=8",
+                          "clouds.extinction=0.3",
+                          "clouds.density_threshold=-1",
+                          "clouds.density_threshold=1",
+                          "clouds.base=150",
+                          "clouds.base=4000",
+                          "clouds.roughness=3",
+                          "clouds.erosion=3",
+                          "clouds.curl=4",
+                          "clouds.step_scale=0.25",
+                          "clouds.step_scale=4",
+                          "clouds.sun_absorption=0",
+                          "clouds.cloud_absorption=4",
+                          "clouds.darkness_floor=1",
+                          "clouds.phase=lobes",
+                          "clouds.droplets=5",
+                          "clouds.droplets=50",
+                          "clouds.powder=1",
+                          "clouds.ambient=4",
+                          "clouds.shear=-2",
+                          "clouds.evolution=50",
+                          "clouds.container=box",
+                          "clouds.edge_fade=0.05",
+                          "clouds.brightness=4",
+                          "environment.clouds.precipitation=1",
+                          "environment.clouds.type=0",
+                          "environment.clouds.cover=1"}) {
+    const FrameView limit = view({set});
+    run.march(limit);
+    for (const glm::vec4& light : run.marched(limit).light) {
+      ASSERT_TRUE(std::isfinite(light.x + light.y + light.z + light.w)) << set;
+      ASSERT_TRUE(light.x >= 0.0f && light.y >= 0.0f && light.z >= 0.0f) << set;
+      ASSERT_TRUE(light.w >= 0.0f && light.w <= 1.0f) << set;
+    }
+  }
+}
+
+class GardnerTileTest : public test::GraphTest {};
+
+TEST_F(GardnerTileTest, HoldsTheTextureFunction) {
+  constexpr int kTexels = 128;
+  const GardnerParameters parameters;
+  const gl::Texture tile("tile", {.format = GL_R16, .width = kTexels, .height = kTexels});
+  const ShaderProgram& program = shaders_->program({"clouds/gardner_tile.comp"});
+  program.use();
+  program.program().set(0, parameters.terms);
+  program.program().set(1, static_cast<float>(parameters.contrast));
+  tile.bind_image(0, GL_WRITE_ONLY);
+  glDispatchCompute(kTexels / 8, kTexels / 8, 1);
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+  const std::vector<float> values = tile.read_floats(1);
+  // The sum of sines itself, in double: Gardner 1985, (3) to (6), for samples 2 / kTexels apart.
+  for (int y = 3; y < kTexels; y += 17) {
+    for (int x = 5; x < kTexels; x += 13) {
+      const double u = 2.0 * (x + 0.5) / kTexels, v = 2.0 * (y + 0.5) / kTexels;
+      double sum_x = 0.0, sum_y = 0.0, most = 0.0;
+      for (int i = 0; i < parameters.terms; ++i) {
+        const double waves = std::exp2(i), strength = std::pow(0.707, i), tau = 2.0 * M_PI;
+        const double keep = std::clamp(2.0 - 4.0 * waves * 2.0 / kTexels, 0.0, 1.0);
+        sum_x +=
+            strength * (keep * std::sin(tau * waves * u + M_PI / 2.0 * std::sin(M_PI * waves * v)) +
+                        parameters.contrast);
+        sum_y +=
+            strength * (keep * std::sin(tau * waves * v + M_PI / 2.0 * std::sin(M_PI * waves * u)) +
+                        parameters.contrast);
+        most += strength * (1.0 + parameters.contrast);
+      }
+      EXPECT_NEAR(values[static_cast<std::size_t>(y * kTexels + x)], sum_x * sum_y / (most * most),
+                  2e-4);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace offing
