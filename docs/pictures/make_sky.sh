@@ -36,11 +36,12 @@ if [[ $wanted == *night* ]]; then
 fi
 if [[ $wanted == *discs* ]]; then
   # azimuth and elevation: ./offing export ephemeris
-  shot disc0 240x135 2026-08-12 18:20 277.78 13.51 2                       # the moon's bite
-  shot disc1 240x135 2026-08-12 18:28 279.10 12.08 6                       # totality
+  # (through a dark glass)
+  shot disc0 240x135 2026-08-12 18:20 277.78 13.51 2 --set exposure.bloom=0.02 --set exposure.ev=-6  # the bite
+  shot disc1 240x135 2026-08-12 18:28 279.10 12.08 4                       # totality
   shot disc2 240x135 2026-08-26 22:00 153.11 25.50 1.2                     # nearly full
   shot disc3 240x135 2026-08-18 20:50 229.90 8.94 1.2                      # crescent with earthshine
   shot disc4 240x135 2026-08-28 04:12 237.52 16.97 1.2                     # in the earth's shadow
-  shot disc5 240x135 2026-08-12 19:38 290.82 0.24 2                         # the setting sun, flattened
+  shot disc5 240x135 2026-08-12 19:38 290.82 0.24 2 --set exposure.bloom=0.02 --set exposure.ev=-2  # the setting sun, flattened
   montage "$work"/disc[0-5].png -tile 3x2 -geometry +2+2 docs/pictures/sky-discs.png
 fi

@@ -100,12 +100,11 @@ double greenstein_cosine(double g, double u) {
 
 AirReference::AirReference(double haze) : haze_(haze) {}
 
-dvec3 AirReference::transmittance(double height_km, double cosine) const {
+dvec3 AirReference::transmittance(double height_km, double cosine, int intervals) const {
   const dvec3 from(0.0, kSea + height_km, 0.0);
   const dvec3 d(std::sqrt(std::max(1.0 - cosine * cosine, 0.0)), cosine, 0.0);
-  constexpr int kIntervals = 400;
   return glm::exp(-depth_between(glsl::aerosol_of_haze(haze_), from, d,
-                                 to_sphere(from, d, kTop, false), kIntervals));
+                                 to_sphere(from, d, kTop, false), intervals));
 }
 
 dvec3 AirReference::single(double height_km, const dvec3& view, const dvec3& light,

@@ -17,7 +17,7 @@ class AirReference {
 
   /// From a height to the top of the air along a ray of this zenith cosine that does not meet the
   /// sea, by Simpson's rule on the ray's chord. Relative error below 1e-5.
-  glm::dvec3 transmittance(double height_km, double cosine) const;
+  glm::dvec3 transmittance(double height_km, double cosine, int intervals = 400) const;
 
   /// Radiance toward `view` for a light at `light` (units, y up), light scattered once by
   /// integration in `steps` steps. Nothing of the sea.

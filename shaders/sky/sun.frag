@@ -32,9 +32,12 @@ void main() {
   vec3 d = unsqueezed(seen, body.xyz, look.x);
   float sine = sine_between(d, body.xyz);
   float mean = 1.0 / (kPhasePi * body.w * body.w * sky.sun_source.w);
-  vec3 disc = limb_darkening(min(sine / body.w, 1.0)) * disc_cover(sine, body.w);
-  float bare = 1.0 - disc_cover(sine_between(d, unsqueezed(moon.xyz, body.xyz, look.x)), moon.w);
-  vec3 radiance = sky.sun_source.rgb * mean * disc * bare + shown_corona(d, sine / body.w, mean) * bare;
+  float moon_cover = disc_cover(sine_between(d, unsqueezed(moon.xyz, body.xyz, look.x)), moon.w);
+  // What the sun's edge has of a pixel less what the moon has: their product would leave a ring of
+  // full sunlight in totality.
+  float bare = max(disc_cover(sine, body.w) - moon_cover, 0.0);
+  vec3 radiance = sky.sun_source.rgb * mean * limb_darkening(min(sine / body.w, 1.0)) * bare +
+                  shown_corona(d, sine / body.w, mean) * (1.0 - moon_cover);
   radiance *= air_transmittance(seen.y) * step(0.0, dot(seen, body.xyz)) * step(-sky.observer.y, seen.y);
   colour = vec4(min(radiance * frame.time.z, vec3(kBrightest)), 0.0);
 }

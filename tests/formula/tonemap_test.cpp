@@ -62,6 +62,29 @@ TEST(NightSight, WhiteKeepsItsLuminanceAndRedGoesDark) {
   EXPECT_EQ(night_sight(day, 0.0), day);
 }
 
+TEST(NightSight, BlueOutshinesRedByMoonlight) {
+  // Purkinje's shift: two patches of one luminance, in daylight and under the moon, each shown at
+  // an exposure that makes that luminance 0.2.
+  const vec3 red = vec3(0.6, 0.1, 0.1) / colour_luminance(vec3(0.6, 0.1, 0.1));
+  const vec3 blue = vec3(0.1, 0.1, 0.6) / colour_luminance(vec3(0.1, 0.1, 0.6));
+  const auto shown = [](const vec3& patch, double luminance) {
+    return tonemap_filmic(night_sight(0.2 * patch, rod_share(luminance)));
+  };
+  const auto blue_over_red = [&](double luminance) {
+    return colour_luminance(shown(blue, luminance)) / colour_luminance(shown(red, luminance));
+  };
+  const auto saturation = [&](const vec3& patch, double luminance) {
+    const vec3 c = shown(patch, luminance);
+    const double most = std::max({c.x, c.y, c.z}), least = std::min({c.x, c.y, c.z});
+    return (most - least) / most;
+  };
+  const double day = 1000.0, moonlight = 0.01;  // cd/m^2
+  EXPECT_NEAR(blue_over_red(day), 1.0, 0.1);
+  EXPECT_GT(blue_over_red(moonlight), 2.0);
+  EXPECT_LT(saturation(red, moonlight), 0.8 * saturation(red, day));
+  EXPECT_LT(saturation(blue, moonlight), 0.95 * saturation(blue, day));
+}
+
 TEST(NightSight, IsBelowHalfAStepByDay) {
   // At the exposure up to which it is left out, shown four times as bright; where all light has one
   // primary the change of colour is greatest.

@@ -1,17 +1,24 @@
 // The sky that is drawn against physics worked out without its tables, and against what is
 // measured.
+#include <fmt/core.h>
+
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "engine/core/angles.h"
 #include "engine/environment/calendar.h"
+#include "engine/sky/air_integral.h"
 #include "engine/sky/air_reference.h"
 #include "engine/sky/sky_panorama.h"
 #include "support/graph_test.h"
 
+#define OFFING_GLSL "shaders/lib/colour.glsl"
+#include "engine/core/glsl_double.h"
 #define OFFING_GLSL "shaders/lib/phase.glsl"
 #include "engine/core/glsl_double.h"
 #define OFFING_GLSL "shaders/lib/scattering.glsl"
+#include "engine/core/glsl_double.h"
+#define OFFING_GLSL "shaders/lib/tonemap.glsl"
 #include "engine/core/glsl_double.h"
 
 namespace offing {
@@ -133,6 +140,76 @@ TEST_F(SkyAccuracy, DaylightIsThatOfAllOrdersOfScattering) {
     }
     EXPECT_LT(noise / count, 0.03);
     EXPECT_LT(error / count, 0.05) << elevation;
+  }
+}
+
+using Pixels = std::vector<glm::dvec3>;
+
+/// Peak signal-to-noise ratio in dB; the peak is the brightest channel of `exact`.
+double psnr(const Pixels& seen, const Pixels& exact) {
+  double square = 0.0, peak = 0.0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const glm::dvec3 error = seen[i] - exact[i];
+    square += glm::dot(error, error) / (3.0 * static_cast<double>(exact.size()));
+    peak = std::max({peak, exact[i].x, exact[i].y, exact[i].z});
+  }
+  return 20.0 * std::log10(peak / std::sqrt(square));
+}
+
+/// As a display shows it, 0 to 1, at an exposure that suits `meter`.
+Pixels displayed(const Pixels& pixels, const Pixels& meter) {
+  double mean = 0.0;
+  for (const glm::dvec3& p : meter) mean += p.y / static_cast<double>(meter.size());
+  Pixels shown;
+  for (const glm::dvec3& p : pixels) {
+    const glm::dvec3 x = glsl::tonemap_exponential(p / (2.0 * mean));
+    shown.emplace_back(glsl::srgb_from_linear(x.x), glsl::srgb_from_linear(x.y),
+                       glsl::srgb_from_linear(x.z));
+  }
+  return shown;
+}
+
+TEST_F(SkyAccuracy, RadianceIsThatOfAConvergedIntegration) {
+  // The coarsest tables, without the sun's disc, against the same physics in double.
+  const AirIntegral air(0.1, 0.9), coarser(0.1, 0.7);
+  for (const double elevation : {70.0, 45.0, 20.0, 10.0, 5.0, 2.0, 0.0, -3.0, -6.0}) {
+    const double bound = elevation > 10.0 ? 47.0 : 40.0;
+    Panorama picture = panorama(sun_at(elevation), 0.1, 3.0, 256);
+    Pixels seen, exact, check;
+    for (int y = 1; y < 64; y += 2) {  // the last is 0.35 degrees above the level
+      for (int x = 4; x < 128; x += 8) {
+        const glm::dvec3 d = picture.direction(x, y);
+        seen.push_back(picture.at(x, y) / light_.sun_source);
+        exact.push_back(glsl::srgb_from_bands(air.radiance(0.003, d, light_.sun_direction)));
+        check.push_back(glsl::srgb_from_bands(coarser.radiance(0.003, d, light_.sun_direction)));
+      }
+    }
+    const double converged = psnr(check, exact), radiance = psnr(seen, exact);
+    const double shown = psnr(displayed(seen, exact), displayed(exact, exact));
+    EXPECT_GT(converged, bound + 5.0) << elevation;
+    EXPECT_GT(radiance, bound) << elevation;
+    EXPECT_GT(shown, bound) << elevation;
+    RecordProperty(fmt::format("sun at {}", elevation),
+                   fmt::format("{:.1f} dB, displayed {:.1f}, coarser integration {:.1f}", radiance,
+                               shown, converged));
+  }
+}
+
+TEST_F(SkyAccuracy, TheIntegrationAgreesWithTheReferenceRayByRay) {
+  // From where the air is thin most is first order, whose depths the reference integrates
+  // anew at each step; the rest is what the path tracer finds beyond it.
+  const AirReference reference(0.1);
+  const AirIntegral air(0.1, 0.55);
+  const glm::dvec3 light = glm::normalize(glm::dvec3(0.3, 0.6, 0.2));
+  for (const glm::dvec3 view :
+       {glm::dvec3(0.0, 1.0, 0.0), glm::normalize(glm::dvec3(1.0, 0.2, 0.3))}) {
+    const glm::dvec3 once = reference.single(20.0, view, light, 200);
+    const glm::dvec3 all = air.radiance(20.0, view, light);
+    const glm::dvec3 traced = reference.path_traced(20.0, view, light, 3000, 3);
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_GT(all[c], once[c]);
+      EXPECT_NEAR(all[c] / traced[c], 1.0, 0.04) << c;
+    }
   }
 }
 

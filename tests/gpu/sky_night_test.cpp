@@ -249,6 +249,24 @@ TEST_F(SkyNightTest, TheMoonsDiscGivesItsLight) {
   }
 }
 
+TEST_F(SkyNightTest, NoRingOfSunlightIsLeftInTotality) {
+  // However coarse the pixels are: the moon's edge lies a tenth of a pixel outside the sun's here.
+  const auto brightest_shown = [&](const char* time, double fov) {
+    const CelestialState s =
+        celestial_state(*parse_date("2026-08-12") + *parse_time(time), 43.3623, -8.4115);
+    const SkyLight light = model_.update(s, 0.1, 3.0);
+    double most = 0.0;
+    for (const glm::dvec3& p : draw(light, {.forward = light.sun_direction, .fov_deg = fov})) {
+      most = std::max(most, luminance(p) * light.exposure);
+    }
+    return most;
+  };
+  for (const double fov : {2.0, 6.0, 40.0}) {
+    EXPECT_LT(brightest_shown("18:28", fov), 4.0) << fov;
+    EXPECT_GT(brightest_shown("18:20", fov), 40.0) << fov;
+  }
+}
+
 TEST_F(SkyNightTest, InPlaceOfTheSkyNoTableOfTheAirIsComputed) {
   const CelestialState s =
       celestial_state(*parse_date("2026-08-13") + *parse_time("12:00"), 43.3623, -8.4115);
