@@ -37,7 +37,7 @@ double fraction(double x) { return x - std::floor(x); }
 
 ShaderDefines mesh_defines(const OceanSettings& settings) {
   return {{"MORPH", std::to_string(SeaMesh::kMorph)},
-          {"FOOTPRINT_RATIO", settings.mesh_cells <= 8 ? "4.0" : "5.0"}};
+          {"FOOTPRINT_RATIO", settings.mesh_cells <= 8 ? "4.0" : "3.0"}};
 }
 
 ShaderDefines two_sided(ShaderDefines defines) {
@@ -48,6 +48,7 @@ ShaderDefines two_sided(ShaderDefines defines) {
 ShaderDefines surface_defines(const OceanSettings& settings, bool hull) {
   ShaderDefines defines{{"CASCADES", std::to_string(settings.cascades)}};
   if (hull) defines.emplace_back("HULL", "");
+  if (settings.quality <= 0) defines.emplace_back("PICK_LEVELS", "");
   return defines;
 }
 

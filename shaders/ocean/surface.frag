@@ -36,7 +36,6 @@ float sea_die() {
 
 Surface read_surface(vec2 parameter, float footprint) {
   float size = log2(footprint);
-  float die = sea_die();
   vec4 sum = vec4(0.0);
   float cross_term = 0.0;
   // Whole numbers at compile time, and no way out of the loop: a CPU renderer then reads the block once for
@@ -45,7 +44,9 @@ Surface read_surface(vec2 parameter, float footprint) {
     float level = sea_map_level_log2(c, size);
     float share = sea_map_share(level);
     vec3 place = sea_map_place(c, parameter);
-    level = sea_map_level_picked(level, die);
+#ifdef PICK_LEVELS
+    level = sea_map_level_picked(level, sea_die());
+#endif
     sum += share * textureLod(sea_slopes, place, level);
     // Ripples are too low for their shear to turn a slope.
     if (c < kMostBreaking) {
