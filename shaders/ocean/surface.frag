@@ -6,6 +6,9 @@
 #include "lib/water.glsl"
 #include "sky/probe.glsl"
 #include "clouds/shadow.glsl"
+#ifdef HULL_SHADOW
+#include "boat/shadow.glsl"
+#endif
 #include "ocean/surface.glsl"
 #include "ocean/foam.glsl"
 #include "ocean/glints.glsl"
@@ -105,6 +108,11 @@ vec3 sea_radiance(vec4 seen) {
   Surface surface = read_surface(parameter, seen.z);
 
   float shade = cloud_shadow(-view * distance);
+#ifdef HULL_SHADOW
+  for (int i = 0; i < int(boat_shadow_reaches(boat_shadow_place(-view * distance))); ++i) {
+    shade *= boat_shade(-view * distance);
+  }
+#endif
   vec3 sun = frame.sun_illuminance.rgb, moon = frame.moon_illuminance.rgb;
   // The brighter of the two lights: while the sun is up the moon is lost in it.
   bool by_day = sun.g >= moon.g;
