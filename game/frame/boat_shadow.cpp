@@ -2,7 +2,6 @@
 
 #include <epoxy/gl.h>
 
-#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -16,8 +15,6 @@ namespace {
 // Of half the map's side, so that its rim stays empty.
 constexpr float kUsed = 0.95f;
 
-constexpr int kSmallest = 256;  // texels of one half; there a texel is as wide as the edge's blur
-
 // 0 the sun, 1 the moon, -1 neither: the brighter of those that are up.
 int casting_light(const shared::FrameData& frame) {
   const float sun = frame.sun_illuminance.y, moon = frame.moon_illuminance.y;
@@ -28,7 +25,7 @@ int casting_light(const shared::FrameData& frame) {
 }  // namespace
 
 shared::BoatShadowData boat_shadow_data(const BoatView& view, const shared::FrameData& frame,
-                                        int side) {
+                                        int side, int taps) {
   shared::BoatShadowData data{};
   const int light = casting_light(frame);
   const glm::vec3 toward(light == 1 ? frame.moon_direction : frame.sun_direction);
@@ -49,13 +46,14 @@ shared::BoatShadowData boat_shadow_data(const BoatView& view, const shared::Fram
   }
   map[3] = glm::vec4(glm::vec3(0.5f) - glm::mat3(map) * middle, 1.0f);
   data.light = glm::vec4(toward, static_cast<float>(light));
-  data.map = {side > kSmallest ? 4.0f : 1.0f, 1.0f / static_cast<float>(side), 0.5f / kBoatRadius,
+  data.map = {static_cast<float>(taps), 1.0f / static_cast<float>(side), 0.5f / kBoatRadius,
               mainsail_style().through};
   return data;
 }
 
 BoatShadow::BoatShadow(int quality)
-    : side_(std::array{kSmallest, 512, 1024, 1024}[static_cast<std::size_t>(quality)]),
+    : side_(quality <= 1 ? 512 : 1024),
+      taps_(quality <= 0 ? 1 : 4),
       map_("boat.shadow", {.format = GL_DEPTH_COMPONENT16, .width = 2 * side_, .height = side_}),
       compare_("boat.shadow", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
       block_("boat.shadow_block", sizeof(shared::BoatShadowData)) {
@@ -65,7 +63,7 @@ BoatShadow::BoatShadow(int quality)
 
 void BoatShadow::add(FrameGraph& graph, const BoatPass& boat, const BoatView& view,
                      const shared::FrameData& frame) {
-  shared::BoatShadowData data = boat_shadow_data(view, frame, side_);
+  shared::BoatShadowData data = boat_shadow_data(view, frame, side_, taps_);
   // Where the light ends that passes her: as far down as the sea, longer than that only in sunsets.
   const float low = std::max(data.light.y, 0.15f);
   const glm::vec3 middle = view.position + view.orientation * kBoatMiddle;

@@ -8,9 +8,10 @@
 namespace offing {
 
 /// How the boat's shadow map is laid over a sphere about all of her: across the brighter light, one
-/// side along her keel, so that it turns with her. `side`: texels of one half of the map.
+/// side along her keel, so that it turns with her. `side`: texels of one half of the map; `taps`, 1
+/// or 4: how often a shader reads it for one place.
 shared::BoatShadowData boat_shadow_data(const BoatView& view, const shared::FrameData& frame,
-                                        int side);
+                                        int side, int taps);
 
 /// The boat's shadow on herself, on the sea and on what floats near her: the depth of her opaque
 /// parts and that of her sails, as the sun or the moon sees them, side by side. Sails let a share
@@ -30,7 +31,7 @@ class BoatShadow {
   const gl::Texture& map() const { return map_; }
 
  private:
-  int side_;
+  int side_, taps_;
   gl::Texture map_;
   gl::Sampler compare_;
   gl::Buffer block_;

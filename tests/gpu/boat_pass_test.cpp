@@ -243,7 +243,7 @@ TEST_F(BoatPicture, TheMastThrowsItsShadowWhereGeometryPutsIt) {
   glGetTextureImage(map.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT,
                     static_cast<GLsizei>(depth.size() * sizeof(float)), depth.data());
   view.position = -eye_;
-  const shared::BoatShadowData data = boat_shadow_data(view, frame_, map.height());
+  const shared::BoatShadowData data = boat_shadow_data(view, frame_, map.height(), 1);
   const auto lit = [&](const glm::vec3& place) {
     const glm::vec4 at = data.map_from_relative * glm::vec4(place - eye_, 1.0f);
     if (std::max(std::abs(at.x - 0.5f), std::abs(at.y - 0.5f)) >= 0.5f) return true;
