@@ -169,9 +169,8 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
   const auto scale = static_cast<float>(quality_.scale);
 
   // While nothing moves two rounds say all there is to say.
-  const std::uint64_t shows =
-      hash_of(camera.clip_from_relative, camera.eye, camera.exposure, carried, view.elapsed,
-              view.weather, camera.size, view.parameters.light_steps, view.parameters.step_scale);
+  const std::uint64_t shows = hash_of(camera.clip_from_relative, camera.eye, camera.exposure,
+                                      camera.size, field.state(), view.parameters.light_steps);
   still_frames_ = shows == shown_ && !cut ? std::min(still_frames_ + 1, 2 * turns) : 0;
   shown_ = shows;
   const bool settled = still_frames_ >= 2 * turns;

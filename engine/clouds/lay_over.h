@@ -3,8 +3,8 @@
 
 namespace offing {
 
-/// While it lives, what is drawn is laid over the picture: colour + behind × alpha, the picture's own
-/// alpha kept and nothing written to the depth. Where depth `counts` only what lies before the
+/// While it lives, what is drawn is laid over the picture: colour + behind × alpha, the picture's
+/// own alpha kept and nothing written to the depth. Where depth `counts` only what lies before the
 /// things in it shows (reversed depth: nearer is greater). At its end blending is off again and
 /// texture unit 0 without a sampler.
 class LayOver {
