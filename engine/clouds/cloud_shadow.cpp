@@ -102,8 +102,9 @@ CloudShadowIds CloudShadow::add(FrameGraph& graph, const CloudField& field, cons
         if (into_front_) {
           pass.write(written);
         } else {
-          pass.modify(written, Access::kImage).side_effect();
+          pass.modify(written, Access::kImage);
         }
+        pass.side_effect();  // plan() counts on it, whoever reads it in this frame
         pass.skip_if(view.weather.cover <= 0.0 || rows.y == 0);
       },
       [this, &field, &target, ids, rows, middle, light](const PassContext& context) {

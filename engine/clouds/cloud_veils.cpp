@@ -10,7 +10,7 @@
 namespace offing {
 namespace {
 
-constexpr int kShaftSteps = 8, kRainSteps = 16;
+constexpr int kShaftSteps = 12, kRainSteps = 16;
 constexpr double kNearest = 200.0;  // m: what is nearer has no veil before it
 
 GLuint groups(int size) { return static_cast<GLuint>((size + 7) / 8); }
