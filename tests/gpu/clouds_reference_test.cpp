@@ -92,7 +92,7 @@ TEST_F(CloudReferenceTest, TheLightModelComesNearToThePathTracer) {
   } most[] = {{"13:00:00", 0.4}, {"19:00:00", 0.2}};
   for (const auto& m : most) {
     const FrameView day = view({std::string("environment.time=") + m.time}, {32, 18});
-    const CloudSightings model = run.reference(day), traced = run.path_trace(day, 16);
+    const CloudSightings model = run.reference(day), traced = run.path_trace(day, 32);
     // Where the cloud is thick for both: the reference smooths noise to the width of a pixel, here
     // 100 m at 5 km, which thins out edges. A path either meets a cloud or does not: only the mean
     // is free of that noise.
