@@ -11,12 +11,11 @@ layout(local_size_x = kThreads) in;
 
 // h0 real, imaginary; frequency in turns per second as the sum of two floats. [cascade][x][z]
 layout(std430, binding = 0) readonly buffer Modes { vec4 modes[]; };
-layout(std430, binding = 2) writeonly buffer Work { double work[]; };  // [cascade][field][z][stored x]
+layout(std430, binding = 2) writeonly buffer Work { dvec2 work[]; };  // [cascade][pair][z][stored x]
 layout(std430, binding = 3) readonly buffer Grids { vec4 grids[]; };  // dk cos, dk sin, c, S
 layout(location = 0) uniform ivec2 time_bits;  // the sea's clock, a double
 
-shared double amplitude[kLines * kStored];
-shared float sideways[kLines * kStored];  // |u| / |k|
+shared dvec2 waves[kLines * kStored];  // amplitude; |u| / |k| and nothing
 #if FIELDS == 3
 shared vec2 rates[kLines * kStored];
 #endif
@@ -55,8 +54,13 @@ vec2 field_amplitude(int field, float shear, int own) {
   vec2 rate = own_rate[own];
   return field == 0 ? times(vec2(-u.y, u.x), h)
        : field == 1 ? h + times_i(rate)
-                    : times(vec2(-u.y, u.x), rate);
+       : field == 2 ? times(vec2(-u.y, u.x), rate)
+                    : vec2(0.0);
 #endif
+}
+
+vec4 pair_amplitude(int pair, float shear, int own) {
+  return vec4(field_amplitude(2 * pair, shear, own), field_amplitude(2 * pair + 1, shear, own));
 }
 
 void main() {
@@ -77,8 +81,7 @@ void main() {
     float w = 2.0 * kWavePi * mode.z;
     vec2 indices = vec2(x < kPoints / 2 ? x : x - kPoints, z < kPoints / 2 ? z : z - kPoints);
     float k = length(grid.xy) * length(indices);
-    amplitude[i] = one_word(a + b);
-    sideways[i] = grid.z * wave_sideways(k, w) / max(k, 1.0e-10);
+    waves[i] = words(vec4(a + b, grid.z * wave_sideways(k, w) / max(k, 1.0e-10), 0.0));
 #if FIELDS == 3
     rates[i] = w * vec2(a.y - b.y, b.x - a.x);  // -i w (a - b)
 #endif
@@ -96,8 +99,9 @@ void main() {
     const int own = (n1) < kOwn ? (n1) : (n1) - kOwn; \
     float nz = float(n < kPoints / 2 ? n : n - kPoints); \
     own_k[own] = vec2(grid.x * nx - grid.y * nz, grid.y * nx + grid.x * nz); \
-    own_h[own] = two_floats(amplitude[at]); \
-    own_u[own] = sideways[at] * own_k[own]; \
+    vec4 wave = floats(waves[at]); \
+    own_h[own] = wave.xy; \
+    own_u[own] = wave.z * own_k[own]; \
     OWN_RATE \
   }
 #if FIELDS == 3
@@ -106,19 +110,19 @@ void main() {
 #define OWN_RATE
 #endif
     EACH_OUTER_A(OWN)
-    for (int field = 0; field < kFields; ++field) {
-#define LOAD(n1) v[n1] = field_amplitude(field, grid.w, (n1) < kOwn ? (n1) : (n1) - kOwn);
+    for (int pair = 0; pair < kPairs; ++pair) {
+#define LOAD(n1) v[n1] = pair_amplitude(pair, grid.w, (n1) < kOwn ? (n1) : (n1) - kOwn);
       EACH_OUTER_A(LOAD)
 #undef LOAD
-      first_step(exchange_space(line, field), n2);
+      first_step(exchange_space(line, pair), n2);
     }
   }
   barrier();
   for (int k1 = mate; k1 < RADIX_A; k1 += kTeam) {
-    for (int field = 0; field < kFields; ++field) {
-      second_step(exchange_space(line, field), k1);
-      int place = (cascade * kFields + field) * kPoints * kStored + column;
-#define STORE(k2) work[place + (k1 + RADIX_A * (k2)) * kStored] = one_word(v[SLOT_B(k2)]);
+    for (int pair = 0; pair < kPairs; ++pair) {
+      second_step(exchange_space(line, pair), k1);
+      int place = (cascade * kPairs + pair) * kPoints * kStored + column;
+#define STORE(k2) work[place + (k1 + RADIX_A * (k2)) * kStored] = words(v[SLOT_B(k2)]);
       EACH_B(STORE)
 #undef STORE
     }
