@@ -5,18 +5,19 @@
 // other; the one exchange between the steps goes through shared memory. Only indices |n| < N/4 carry
 // waves (the bands end at four points per wave), so the first step knows half of its inputs to be
 // zero. Memory is touched as little as can be: on a CPU renderer every lane's access is one of its
-// own, whatever its width. So two fields are transformed side by side, as the halves of a vec4, and
-// their four floats travel as two 64-bit words, with which nobody calculates.
+// own, whatever its width. So two fields are transformed side by side, as the halves of a vec4. Nor are
+// there loops, in which it would ask of every lane whether it is still at work.
 const int kPoints = RADIX_A * RADIX_B;
-const int kPairs = (FIELDS + 1) / 2;  // of complex fields; of an odd number the last half is empty
-const int kTeam = RADIX_A < RADIX_B ? RADIX_A : RADIX_B;  // threads that share a line
+const int kPairs = 2;       // of complex fields; of three the last half is empty
+const int kTeam = RADIX_B;  // threads that share a line: each does one transform of the first step …
+const bool kTwice = RADIX_A > RADIX_B;  // … and one or two of the second
 const int kLines = kPoints > 256 ? 1 : 32 / kTeam;        // lines of a group: as memory allows
 const int kThreads = kTeam * kLines;
 const int kStored = kPoints / 2;  // indices with waves: 0 … N/4-1, then 3N/4 … N-1
 const int kPitch = RADIX_B + 1;   // one column more than needed keeps the banks apart
 
-layout(std430, binding = 1) readonly buffer Twiddles { double twiddles[]; };  // W_N^j, from double
-shared dvec2 exchange[kLines * kPairs * RADIX_A * kPitch];
+layout(std430, binding = 1) readonly buffer Twiddles { vec2 twiddles[]; };  // W_N^j, from double
+shared vec4 exchange[kLines * kPairs * RADIX_A * kPitch];
 
 vec4 v[RADIX_A > RADIX_B ? RADIX_A : RADIX_B];
 
@@ -42,11 +43,6 @@ vec4 v[RADIX_A > RADIX_B ? RADIX_A : RADIX_B];
 #else
 #define EACH_B(f) EACH_16(f, 0)
 #endif
-
-double one_word(vec2 a) { return packDouble2x32(floatBitsToUint(a)); }
-vec2 two_floats(double a) { return uintBitsToFloat(unpackDouble2x32(a)); }
-dvec2 words(vec4 a) { return dvec2(one_word(a.xy), one_word(a.zw)); }
-vec4 floats(dvec2 a) { return vec4(two_floats(a.x), two_floats(a.y)); }
 
 vec2 times(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x); }
 vec2 times_i(vec2 a) { return vec2(-a.y, a.x); }
@@ -154,7 +150,7 @@ int exchange_space(int line, int pair) { return (line * kPairs + pair) * RADIX_A
 // Powers of one root by products of three at most: rounding grows little, and one load does.
 vec2 w[RADIX_A];
 void twiddle_powers(int n2) {
-  w[1] = two_floats(twiddles[n2]);
+  w[1] = twiddles[n2];
 #define SQUARE(n) w[2 * (n)] = times(w[n], w[n]); w[2 * (n) + 1] = times(w[2 * (n)], w[1]);
   SQUARE(1) SQUARE(2) SQUARE(3)
 #if RADIX_A >= 16
@@ -167,7 +163,7 @@ void twiddle_powers(int n2) {
 }
 void first_step(int space, int n2) {
 #define CLEAR(n1) v[n1] = vec4(0.0);
-#define STORE(k1) exchange[space + (k1) * kPitch + n2] = words(times(v[SLOT_A(k1)], w[k1]));
+#define STORE(k1) exchange[space + (k1) * kPitch + n2] = times(v[SLOT_A(k1)], w[k1]);
   EACH_INNER_A(CLEAR)
   DFT_A();
   w[0] = vec2(1.0, 0.0);
@@ -176,7 +172,7 @@ void first_step(int space, int n2) {
 #undef STORE
 }
 void second_step(int space, int k1) {
-#define LOAD(n2) v[n2] = floats(exchange[space + k1 * kPitch + n2]);
+#define LOAD(n2) v[n2] = exchange[space + k1 * kPitch + n2];
   EACH_B(LOAD)
   DFT_B();
 #undef LOAD
