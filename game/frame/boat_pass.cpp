@@ -29,6 +29,26 @@ float distance_to_box(const BoatView& view) {
   return glm::distance(eye, glm::clamp(eye, kLow, kHigh));
 }
 
+// Share of a lamp's light that goes toward the eye: each is screened to its arc (International
+// Regulations for Preventing Collisions at Sea, rule 21), and cut off over five degrees (annex I).
+// A sailing boat shows no masthead light, one under power does.
+float lamp_share(Lamp lamp, const BoatView& view) {
+  if (lamp == Lamp::kAllRound) return 1.0f;
+  if (lamp == Lamp::kMasthead && !view.under_power) return 0.0f;
+  const glm::vec3 eye = glm::inverse(view.orientation) * -view.position;
+  const float bearing = glm::degrees(std::atan2(eye.x, -eye.z));  // from the bow, + to starboard
+  const auto arc = [&](float from, float to) {
+    constexpr float kCut = 2.5f;  // either side of where the arc ends
+    return glm::smoothstep(from - kCut, from + kCut, bearing) *
+           (1.0f - glm::smoothstep(to - kCut, to + kCut, bearing));
+  };
+  constexpr float kAbaftBeam = 112.5f;
+  if (lamp == Lamp::kPort) return arc(-kAbaftBeam, 0.0f);
+  if (lamp == Lamp::kStarboard) return arc(0.0f, kAbaftBeam);
+  const float ahead = arc(-kAbaftBeam, kAbaftBeam);
+  return lamp == Lamp::kMasthead ? ahead : 1.0f - ahead;
+}
+
 void draw_range(const IndexRange& range) {
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.count), GL_UNSIGNED_INT,
                  reinterpret_cast<const void*>(static_cast<std::uintptr_t>(range.first) *
@@ -97,6 +117,10 @@ BoatPass::BoatPass(ShaderLibrary& shaders, const Model& model, const BoatTexture
   for (std::size_t i = 0; i < model.materials.size(); ++i) {
     materials_[i] = surface_of(model.materials[i]);
     const std::string& name = model.materials[i].name;
+    if (name == "light_port") lamps_[i] = Lamp::kPort;
+    if (name == "light_starboard") lamps_[i] = Lamp::kStarboard;
+    if (name == "light_stern") lamps_[i] = Lamp::kStern;
+    if (name == "light_masthead") lamps_[i] = Lamp::kMasthead;
     if (name == "sail") rope_material_ = static_cast<int>(i);
     if (name == "boot") windward_material_ = static_cast<int>(i);
     if (name == "antifouling") lee_material_ = static_cast<int>(i);
@@ -136,8 +160,8 @@ BoatPass::Pose BoatPass::pose(const BoatView& view, const shared::FrameData& fra
   }
   for (std::size_t i = 0; i < materials_.size(); ++i) {
     boat.materials[i] = materials_[i];
-    const glm::vec3 emission =
-        glm::vec3(materials_[i].emission) * view.navigation_lights * kLampLuminance;
+    const glm::vec3 emission = glm::vec3(materials_[i].emission) * kLampLuminance *
+                               view.navigation_lights * lamp_share(lamps_[i], view);
     boat.materials[i].emission = glm::vec4(emission, materials_[i].emission.w);
   }
   const double time = frame.time.x;

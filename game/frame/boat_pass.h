@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string_view>
@@ -25,6 +26,9 @@ namespace offing {
 /// Nodes that a boat's model must have.
 inline constexpr std::array<std::string_view, 8> kBoatNodeNames = {
     "hull", "deck", "mast", "boom", "mainsail", "jib", "rudder", "flag"};
+
+/// Which arc a material that shines is seen over.
+enum class Lamp : std::uint8_t { kAllRound, kPort, kStarboard, kStern, kMasthead };
 
 /// Draws the boat: rigid parts with a compact metallic-roughness surface, then sails and flag as
 /// cloth. All of her in one pass; it is skipped while she is out of view.
@@ -110,6 +114,7 @@ class BoatPass {
   int boom_ = -1, rudder_ = -1, wheel_ = -1;
   int rope_material_ = 0, windward_material_ = 0, lee_material_ = 0;
   std::array<shared::BoatMaterial, shared::kBoatMaterials> materials_;
+  std::array<Lamp, shared::kBoatMaterials> lamps_{};  ///< of each material
   std::vector<Draw> draws_;
   IndexRange mask_;
   std::vector<glm::vec3> mask_corners_;  ///< of its triangles, in the boat's frame

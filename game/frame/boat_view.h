@@ -29,6 +29,7 @@ struct BoatView {
   bool hoisted = true;             ///< whether the sails are up
   glm::vec3 apparent_wind{0.0f};   ///< m/s: velocity of the air past the boat, boat frame
   float navigation_lights = 0.0f;  ///< 0 off to 1 lit
+  bool under_power = false;        ///< whether she shows her masthead light
 };
 
 }  // namespace offing

@@ -32,6 +32,7 @@ BoatView boat_view(const World& world, glm::dvec3 camera, const SkyLight& light)
   view.reef = static_cast<float>(state.reef);
   view.hoisted = world.boat().controls().sails_up;
   view.apparent_wind = glm::vec3(state.apparent_wind);
+  view.under_power = world.boat().controls().motor != 0.0;
   // Lamps are lit when the light fails: from about sunset on, in full when 10 lx are left.
   const double lux = std::max(light.level_illuminance(), 1e-6);
   view.navigation_lights =

@@ -305,6 +305,43 @@ TEST_F(BoatPicture, WithoutALightThereIsNoShadowToDraw) {
   }
 }
 
+// From starboard one sees the green light and not the red one, from astern the white one alone,
+// from ahead under power the masthead light as well.
+TEST_F(BoatPicture, EachLampIsSeenOverItsArc) {
+  frame_.sun_illuminance = frame_.sky_illuminance = glm::vec4(0.0f);
+  BoatView view;
+  view.navigation_lights = 1.0f;
+  view.hoisted = false;
+  const glm::vec3 bow(0.0f, 1.4f, -3.7f), stern(-0.4f, 1.5f, 3.7f), masthead(0.0f, 11.9f, -0.6f);
+  const auto shining = [&](glm::vec3 from, glm::vec3 at) {
+    look(from, at, {0.0f, 1.0f, 0.0f}, 0.12f);
+    const Picture picture = draw(view);
+    glm::ivec3 pixels(0);  // red, green, white
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const float* p = picture.at(x, y);
+        const bool grey = std::abs(p[2] - p[0]) < 0.1f * p[0];  // a wire over the background
+        if (picture.depth_at(x, y) <= 0.0f || std::max(p[0], p[1]) < 1e-3f || grey) continue;
+        ++pixels[p[2] > 0.5f * p[0] && p[0] > 0.5f * p[1] ? 2 : p[0] > p[1] ? 0 : 1];
+      }
+    }
+    return pixels;
+  };
+  const glm::ivec3 starboard = shining({9.0f, 3.0f, -9.0f}, bow),
+                   port = shining({-9.0f, 3.0f, -9.0f}, bow);
+  EXPECT_EQ(starboard.x, 0);
+  EXPECT_GT(starboard.y, 0);
+  EXPECT_EQ(starboard.z, 0);
+  EXPECT_GT(port.x, 0);
+  EXPECT_EQ(port.y, 0);
+  const glm::ivec3 astern = shining({0.0f, 3.0f, 12.0f}, stern);
+  EXPECT_EQ(astern.x + astern.y, 0);
+  EXPECT_GT(astern.z, 0);
+  EXPECT_EQ(shining({9.0f, 8.0f, -9.0f}, masthead).z, 0);
+  view.under_power = true;
+  EXPECT_GT(shining({9.0f, 8.0f, -9.0f}, masthead).z, 0);
+}
+
 TEST_F(BoatPicture, IsSkippedOutOfView) {
   look({0.0f, 5.0f, 40.0f}, {0.0f, 5.0f, 80.0f}, {0.0f, 1.0f, 0.0f});
   graph_->reset_report();

@@ -469,7 +469,7 @@ def make_mast(node):
                   [(-0.028, 0.0), (0.0, -0.010), (0.028, 0.0), (0.0, 0.010)])
     # Crane with the backstay's fork, masthead light, wind vane and aerial.
     box(part, (-0.012, MAST_TOP - 0.05, -0.02), (0.012, MAST_TOP + 0.005, 0.20))
-    lathe(node.part("light_stern"), (0, MAST_TOP, 0.02), [(0.022, 0.0), (0.024, 0.06), (0.0, 0.075)], 10)
+    lathe(node.part("light_masthead"), (0, MAST_TOP, 0.02), [(0.022, 0.0), (0.024, 0.06), (0.0, 0.075)], 10)
     tube(node.part("black"), [(0, MAST_TOP, 0.12), (0, MAST_TOP + 0.24, 0.12)], 0.004, sides=5)
     tube(node.part("black"), [(0.01, MAST_TOP, -0.03), (0.01, MAST_TOP + 0.8, -0.03)], [0.004, 0.0015], sides=5)
 
@@ -704,6 +704,7 @@ MATERIALS = [
     material("light_port", (0.30, 0.010, 0.010), 0.2, emissiveFactor=[1.0, 0.02, 0.02]),
     material("light_starboard", (0.010, 0.22, 0.06), 0.2, emissiveFactor=[0.02, 1.0, 0.25]),
     material("light_stern", (0.60, 0.60, 0.55), 0.2, emissiveFactor=[1.0, 0.93, 0.80]),
+    material("light_masthead", (0.60, 0.60, 0.55), 0.2, emissiveFactor=[1.0, 0.93, 0.80]),
 ]
 
 
