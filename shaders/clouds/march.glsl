@@ -111,10 +111,14 @@ vec3 cloud_leaving(CloudRay ray, CloudPlace place, float altitude, float to_ligh
   float above_light = to_light * clouds.light.x;
   // A heap faces the light, a layer lies flat.
   float facing = mix(max(level, 0.1), 1.0, clamp(place.kind.roughness, 0.0, 1.0));
-  CloudField field = cloud_field(above_light, above_light + beyond * clouds.light.x, facing, ray.g);
   // Optical depths down to the base and up to the top.
   float full = clouds.layer.z * place.kind.extinction * clamp(place.inside, 0.05, 1.0) *
                place.kind.thickness * clouds.form.w;
+  // Across the light's way it leaks out of base and top, and a heap's out of its sides as well: it is about
+  // as wide as high.
+  float open = 1.0 - level * level + clamp(place.kind.roughness, 0.0, 1.0);
+  float leak = sqrt(open) * cloud_leak(full, ray.g);
+  CloudField field = cloud_field(above_light, above_light + beyond * clouds.light.x, facing, ray.g, leak);
   float below = full * x, above = full * (1.0 - x);
   // Across the light's way the field leaks out of base and top: a parabola that ends 2/3 of a scaled
   // mean free path beyond either.
