@@ -93,9 +93,9 @@ CloudQuality CloudQuality::of(int quality) {
     case 0:
       return {.scale = 2,
               .cell = {2, 2},
-              .steps = 44,
+              .steps = 48,
               .light_steps = 3,
-              .finest = 32.0f,
+              .finest = 26.0f,
               .growth = 0.013f,
               .reach = 70000.0f,
               .curl = false};
