@@ -110,14 +110,14 @@ CloudQuality CloudQuality::of(int quality) {
       return {.cell = {2, 2},
               .steps = 110,
               .light_steps = 5,
-              .finest = 12.0f,
+              .finest = 14.0f,
               .growth = 0.006f,
               .reach = 110000.0f};
     default:
-      return {.cell = {2, 1},
-              .steps = 200,
+      return {.cell = {1, 1},
+              .steps = 160,
               .light_steps = 6,
-              .finest = 7.0f,
+              .finest = 12.0f,
               .growth = 0.004f,
               .reach = 130000.0f};
   }

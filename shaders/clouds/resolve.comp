@@ -55,8 +55,6 @@ void main() {
   }
   vec4 value = clipped(old, texelFetch(least, texel, 0), texelFetch(most, texel, 0));
   bool own = all(equal(pixel - texel * cell, chosen));
-  // Where nothing moves more samples count: each lies elsewhere along its ray.
-  float share = known ? (still ? 0.6 * fresh : fresh) : 1.0;
-  value = own ? mix(value, texelFetch(seen, texel, 0), share) : value;
+  value = own ? mix(value, texelFetch(seen, texel, 0), known ? fresh : 1.0) : value;
   imageStore(result, pixel, value);
 }
