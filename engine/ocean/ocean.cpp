@@ -49,6 +49,7 @@ ShaderDefines two_sided(ShaderDefines defines) {
 ShaderDefines surface_defines(const OceanSettings& settings, bool hull) {
   ShaderDefines defines{{"CASCADES", std::to_string(settings.cascades)}};
   if (hull) defines.emplace_back("HULL", "");
+  if (hull && settings.quality > 0) defines.emplace_back("HULL_SHADOW", "");
   if (settings.quality <= 0) defines.emplace_back("PICK_LEVELS", "");
   if (gl::current_renderer().software) defines.emplace_back("FLAT_OCEAN", "");
   return defines;
@@ -455,6 +456,7 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
         if (settings_.quality <= 0) {  // whole levels: see sea_map_level_picked()
           level_sampler_.bind(0);
           level_sampler_.bind(1);
+          level_sampler_.bind(2);
         }
         context.texture(above).bind(3);
         context.texture(horizon).bind(4);

@@ -6,7 +6,13 @@
 #include "lib/water.glsl"
 #include "sky/probe.glsl"
 #include "clouds/shadow.glsl"
+#ifdef HULL_SHADOW
+#include "boat/shadow.glsl"
+#endif
 #include "ocean/surface.glsl"
+#ifdef PICK_LEVELS
+#include "ocean/die.glsl"
+#endif
 #include "ocean/foam.glsl"
 #include "ocean/glints.glsl"
 #include "ocean/air.glsl"
@@ -33,11 +39,6 @@ struct Surface {
   vec2 slope;       // mean slope in the pixel, in space
   vec3 covariance;  // of the slopes within the pixel: xx, zz, xz
 };
-
-// Interleaved gradient noise (Jimenez 2014), even over 0 … 1: neighbouring pixels differ as much as they can.
-float sea_die() {
-  return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-}
 
 // Adds what a cascade has to the derivatives: sx, sz, Dxx, Dzz, and Dxz.
 void add_cascade(int c, vec2 parameter, float size, inout vec4 sum, inout float cross_term) {
@@ -115,6 +116,11 @@ vec3 sea_radiance(vec4 seen) {
 
   vec3 light = light_time.xyz;
   vec3 direct = direct_exposure.rgb * cloud_shadow(-view * distance);
+#ifdef HULL_SHADOW
+  for (int i = 0; i < int(boat_shadow_reaches(boat_shadow_place(-view * distance))); ++i) {
+    direct *= boat_shade(-view * distance);
+  }
+#endif
   vec3 from_sky = diffuse_height.rgb;
   vec3 down = from_sky + direct * max(light.y, 0.0);
   vec3 radiance;
