@@ -7,6 +7,7 @@
 #include "sky/probe.glsl"
 #include "clouds/shadow.glsl"
 #include "ocean/surface.glsl"
+#include "ocean/resolved.glsl"
 #include "ocean/foam.glsl"
 #include "ocean/glints.glsl"
 #include "ocean/air.glsl"
@@ -21,49 +22,22 @@ layout(binding = 4) uniform sampler2D horizon_sky;  // see air.frag
 layout(binding = OFFING_UNIT_GUSTS) uniform sampler2D gusts;
 layout(binding = OFFING_UNIT_SQUALLS) uniform sampler2D squalls;
 
-const int kMostBreaking = min(CASCADES, 2);  // cascades whose waves can be long enough to break
 const float kFoamAlbedo = 0.55;  // fresh whitecaps, Koepke 1984
-
-struct Surface {
-  vec2 slope;       // mean slope in the pixel, in space
-  vec3 covariance;  // of the slopes within the pixel: xx, zz, xz
-};
+const float kPlumeAlbedo = 0.12;  // of clouds of bubbles under them (by eye)
 
 // Interleaved gradient noise (Jimenez 2014), even over 0 … 1: neighbouring pixels differ as much as they can.
 float sea_die() {
   return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
 }
 
-Surface read_surface(vec2 parameter, float footprint) {
-  float size = log2(footprint);
-  vec4 sum = vec4(0.0);
-  float cross_term = 0.0;
-  // Whole numbers at compile time, and no way out of the loop: a CPU renderer then reads the block once for
-  // all pixels.
-  for (int c = 0; c < CASCADES; ++c) {
-    float level = sea_map_level_log2(c, size);
-    float share = sea_map_share(level);
-    vec3 place = sea_map_place(c, parameter);
-#ifdef PICK_LEVELS
-    level = sea_map_level_picked(level, sea_die());
-#endif
-    sum += share * textureLod(sea_slopes, place, level);
-    // Ripples are too low for their shear to turn a slope.
-    if (c < kMostBreaking) {
-      cross_term += (float(c) < ocean.foam.z ? share : 0.0) *
-                    textureLod(sea_displacement, place, level).w;
-    }
-  }
-  Surface surface;
-  surface.slope = surface_slope(sum.x, sum.y, sum.z, sum.w, cross_term);
-  // Ripples answer a gust at once, and steeply: their growth goes with the square of the wind's pull
-  // (Plant 1982), so do the cat's paws that sailors look for.
+// Ripples answer a gust at once, and steeply: their growth goes with the square of the wind's pull (Plant
+// 1982), so do the cat's paws that sailors look for. What the wind does to their variance.
+float gustiness(vec2 parameter) {
   float gust = 1.0 + ocean.gust.w * textureLod(gusts, ocean.gust.xy + parameter * ocean.gust.z, 0.0).r;
   for (int i = 0; i < int(ocean.squall.w); ++i) {  // under rain
     gust += textureLod(squalls, ocean.squall.xy + parameter * ocean.squall.z, 0.0).r;
   }
-  surface.covariance = sea_missing(size).xyz * clamp(gust * gust * gust, 0.2, 3.0);
-  return surface;
+  return clamp(gust * gust * gust, 0.2, 3.0);
 }
 
 float variance_along(vec3 covariance, vec2 direction) {
@@ -102,7 +76,8 @@ vec3 sea_radiance(vec4 seen) {
   // Above the mean sea level, over the curved earth.
   float height = frame.camera.y - distance * view.y +
                  distance * distance * dot(view.xz, view.xz) / kTwiceEarthRadius;
-  Surface surface = read_surface(parameter, seen.z);
+  Surface surface = read_surface(parameter, seen.z, sea_die());
+  surface.covariance *= gustiness(parameter);
 
   float shade = cloud_shadow(-view * distance);
   vec3 sun = frame.sun_illuminance.rgb, moon = frame.moon_illuminance.rgb;
@@ -145,6 +120,10 @@ vec3 sea_radiance(vec4 seen) {
   vec3 through = mix(ocean.crest_thick.rgb, ocean.crest_thin.rgb, thin * thin);
   body += through * (direct * (0.010 * away * away) + from_sky * 0.006) * crest;
 
+  // Bubbles that breaking water has taken down with it, seen through a metre of water: pale green.
+  Foam foam = sea_foam(parameter, seen.z, surface.jacobian, surface.unresolved);
+  body += down * ocean.crest_thin.rgb * (kPlumeAlbedo / kWaterPi * min(1.3 * foam.plume, 1.0));
+
 #ifdef HULL
   // A hull under the surface, through the water before it and bent by its slope.
   vec2 sides = texelFetch(dry, ivec2(gl_FragCoord.xy), 0).xy;
@@ -162,10 +141,10 @@ vec3 sea_radiance(vec4 seen) {
   radiance += glitter(surface, view, facets.area, light, direct, parameter, seen.z);
 
   float up = inversesqrt(1.0 + steepness * steepness);
-  vec3 white = kFoamAlbedo / kWaterPi *
-               (direct * max((light.y - dot(surface.slope, light.xz)) * up, 0.0) +
-                from_sky * (0.5 + 0.5 * up));
-  radiance = mix(radiance, white, sea_foam(parameter, seen.z));
+  // Foam is piled up where its lace is dense, and lit from that side.
+  float lit = max((light.y - dot(surface.slope, light.xz)) * up, 0.0) * (1.0 + 0.12 * foam.relief);
+  vec3 white = kFoamAlbedo / kWaterPi * (direct * max(lit, 0.0) + from_sky * (0.5 + 0.5 * up));
+  radiance = mix(radiance, white, foam.opacity);
 
   // Air that fills the view to the horizon looks as the horizon does.
   vec3 clear = exp(-frame.haze.rgb * distance);
