@@ -1,7 +1,7 @@
 // Foam: its map (foam_map.h) and its picture. Needs ocean/surface.glsl before it.
 #include "lib/water.glsl"
 layout(binding = OFFING_UNIT_FOAM) uniform sampler2DArray foam_map;  // thin foam, thick foam
-layout(binding = 2) uniform sampler2D foam_pattern;                  // evenly distributed over 0 … 1
+layout(binding = 2) uniform sampler2D foam_pattern;                  // normal, see foam_pattern.h
 const float kFoamReach = 0.45;  // of a layer's width
 const float kFoamDeviations = 3.2;  // of the pattern, see foam_pattern.cpp
 const vec3 kFoamLace = vec3(0.42, 0.72, 0.55);  // weights of patches, lace and bubbles; the sum of squares is 1

@@ -10,28 +10,34 @@ struct Surface {
   float unresolved; // share of its variance within the pixel
 };
 
+// Adds what a cascade has to the derivatives sx, sz, Dxx, Dzz and, for waves that can break, Dxx, Dzz, Dxz.
+void add_cascade(int c, vec2 parameter, float size, float die, inout vec4 sum, inout vec3 squeeze) {
+  float level = sea_map_level_log2(c, size);
+  float share = sea_map_share(level);
+  vec3 place = sea_map_place(c, parameter);
+#ifdef PICK_LEVELS
+  level = sea_map_level_picked(level, die);
+#endif
+  vec4 slopes = share * textureLod(sea_slopes, place, level);
+  sum += slopes;
+  // Ripples are too low for their shear to turn a slope.
+  if (c < kMostBreaking) {
+    float sheared = share * textureLod(sea_displacement, place, level).w;
+    squeeze += float(c) < ocean.foam.z ? vec3(slopes.zw, sheared) : vec3(0.0);
+  }
+}
+
 // `parameter`: the water at rest (m, relative to the camera); `footprint`: m; `die`: even over 0 … 1.
 Surface read_surface(vec2 parameter, float footprint, float die) {
   float size = log2(footprint);
   vec4 sum = vec4(0.0);
-  vec3 squeeze = vec3(0.0);  // Dxx, Dzz, Dxz of waves that can break
-  // Whole numbers at compile time, and no way out of the loop: a CPU renderer then reads the block once for
-  // all pixels.
-  for (int c = 0; c < CASCADES; ++c) {
-    float level = sea_map_level_log2(c, size);
-    float share = sea_map_share(level);
-    vec3 place = sea_map_place(c, parameter);
-#ifdef PICK_LEVELS
-    level = sea_map_level_picked(level, die);
-#endif
-    vec4 slopes = share * textureLod(sea_slopes, place, level);
-    sum += slopes;
-    // Ripples are too low for their shear to turn a slope.
-    if (c < kMostBreaking) {
-      float sheared = share * textureLod(sea_displacement, place, level).w;
-      squeeze += float(c) < ocean.foam.z ? vec3(slopes.zw, sheared) : vec3(0.0);
-    }
-  }
+  vec3 squeeze = vec3(0.0);  // Dxx, Dzz, Dxz
+  // One by one, not in a loop, which some compilers leave as it is: constant indices are cheaper.
+  add_cascade(0, parameter, size, die, sum, squeeze);
+  if (CASCADES > 1) add_cascade(1, parameter, size, die, sum, squeeze);
+  if (CASCADES > 2) add_cascade(2, parameter, size, die, sum, squeeze);
+  if (CASCADES > 3) add_cascade(3, parameter, size, die, sum, squeeze);
+  if (CASCADES > 4) add_cascade(4, parameter, size, die, sum, squeeze);
   Surface surface;
   surface.slope = surface_slope(sum.x, sum.y, sum.z, sum.w, squeeze.z);
   surface.jacobian = surface_jacobian(squeeze.x, squeeze.y, squeeze.z);

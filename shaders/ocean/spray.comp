@@ -11,7 +11,7 @@ layout(location = 0) uniform vec4 step_;  // x: s, negative: all anew; yz: the c
 layout(location = 1) uniform uint number;  // of the step
 
 const float kReach = 180.0;      // m
-const float kTries = 40.0;       // per second and drop at rest, of places in reach
+const float kTries = 80.0;       // per second and drop at rest, of places in reach
 const float kResponse = 0.5;     // s in which drops take on the wind's speed
 const float kFall = 3.0;         // m/s^2: fine drops fall slower than coarse ones
 const float kCell = 0.6;         // m over which the sea is read

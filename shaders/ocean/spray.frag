@@ -7,7 +7,8 @@ layout(location = 0) out vec4 colour;  // over the picture: radiance × exposure
 
 void main() {
   float inside = max(1.0 - dot(corner, corner), 0.0);
-  float tufts = clamp(3.2 * textureLod(foam_pattern, tuft + 0.07 * corner, 0.0).r - 1.1 + inside, 0.0, 1.0);
+  float pattern = textureLod(foam_pattern, tuft + vec2(0.03, 0.09) * corner, 0.0).r;
+  float tufts = smoothstep(0.25, 0.8, pattern * 0.7 + inside * 0.5);
   float opacity = light.w * inside * tufts;
   colour = vec4(light.rgb * opacity, opacity);
 }

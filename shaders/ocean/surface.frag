@@ -12,6 +12,11 @@
 #include "ocean/glints.glsl"
 #include "ocean/air.glsl"
 
+layout(location = 0) in vec3 way;  // see surface.vert
+layout(location = 1) flat in vec4 light_time;
+layout(location = 2) flat in vec4 direct_exposure;
+layout(location = 3) flat in vec4 diffuse_height;
+layout(location = 4) flat in vec4 haze;
 layout(location = 0) out vec4 colour;
 layout(binding = 3) uniform sampler2D sea_seen;  // see mesh.frag
 #ifdef HULL
@@ -61,7 +66,7 @@ vec3 glitter(Surface surface, vec3 view, float shown_area, vec3 light, vec3 illu
   float reach = level > 0.0 ? visible_share(level, sqrt(variance_along(surface.covariance, light.xz)))
                             : 0.0;
   float ny2 = half_way.y * half_way.y;
-  density *= glint(parameter, size, density, frame.time.x);
+  density *= glint(parameter, size, density, light_time.w);
   return illuminance * (fresnel_water(clamp(cosine, 0.0, 1.0)) * density * reach /
                         (4.0 * max(ny2 * ny2, 1.0e-3) * max(shown_area, 1.0e-3)));
 }
@@ -70,22 +75,16 @@ vec3 glitter(Surface surface, vec3 view, float shown_area, vec3 light, vec3 illu
 vec3 sea_radiance(vec4 seen) {
   vec2 parameter = seen.xy;
   float distance = seen.w;
-  vec4 way = frame.relative_from_clip *
-             vec4(2.0 * gl_FragCoord.xy * frame.viewport.zw - 1.0, 1.0, 1.0);
-  vec3 view = way.xyz * (-inversesqrt(dot(way.xyz, way.xyz)) * sign(way.w));
+  vec3 view = -normalize(way);
   // Above the mean sea level, over the curved earth.
-  float height = frame.camera.y - distance * view.y +
+  float height = diffuse_height.w - distance * view.y +
                  distance * distance * dot(view.xz, view.xz) / kTwiceEarthRadius;
   Surface surface = read_surface(parameter, seen.z, sea_die());
   surface.covariance *= gustiness(parameter);
 
-  float shade = cloud_shadow(-view * distance);
-  vec3 sun = frame.sun_illuminance.rgb, moon = frame.moon_illuminance.rgb;
-  // The brighter of the two lights: while the sun is up the moon is lost in it.
-  bool by_day = sun.g >= moon.g;
-  vec3 light = by_day ? frame.sun_direction.xyz : frame.moon_direction.xyz;
-  vec3 direct = (by_day ? sun : moon) * shade;
-  vec3 from_sky = probe_irradiance(vec3(0.0, 1.0, 0.0));  // clouds included
+  vec3 light = light_time.xyz;
+  vec3 direct = direct_exposure.rgb * cloud_shadow(-view * distance);
+  vec3 from_sky = diffuse_height.rgb;
   vec3 down = from_sky + direct * max(light.y, 0.0);
   vec3 radiance;
 
@@ -132,7 +131,7 @@ vec3 sea_radiance(vec4 seen) {
     vec2 shift = surface.slope * (0.5 * min(water, 1.0) / (frame.camera.w * max(distance, 1.0)));
     ivec2 at = ivec2(clamp(gl_FragCoord.xy + shift, vec2(0.0), frame.viewport.xy - 1.0));
     vec3 lost = exp(-(ocean.absorption.rgb + 12.0 * ocean.backscatter.rgb) * (2.0 * water));
-    body = mix(body, texelFetch(hull, at, 0).rgb / frame.time.z, lost);
+    body = mix(body, texelFetch(hull, at, 0).rgb / direct_exposure.w, lost);
   }
 #endif
 
@@ -147,7 +146,7 @@ vec3 sea_radiance(vec4 seen) {
   radiance = mix(radiance, white, foam.opacity);
 
   // Air that fills the view to the horizon looks as the horizon does.
-  vec3 clear = exp(-frame.haze.rgb * distance);
+  vec3 clear = exp(-haze.rgb * distance);
   vec3 horizon = textureLod(horizon_sky, vec2(horizon_place(-view.xz), 0.5), 0.0).rgb;
   radiance = mix(horizon, radiance, clear);
   return max(radiance, vec3(0.0));
@@ -156,5 +155,5 @@ vec3 sea_radiance(vec4 seen) {
 void main() {
   vec4 seen = texelFetch(sea_seen, ivec2(gl_FragCoord.xy), 0);
   if (seen.w <= 0.0) discard;
-  colour = vec4(sea_radiance(seen) * frame.time.z, 1.0);
+  colour = vec4(sea_radiance(seen) * direct_exposure.w, 1.0);
 }

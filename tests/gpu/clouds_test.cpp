@@ -5,9 +5,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "engine/core/angles.h"
-#include "shaders/shared/bindings.h"
 #include "shaders/shared/frame.h"
-#include "support/graph_test.h"
+#include "support/sky_graph_test.h"
 
 #define OFFING_GLSL "shaders/lib/clouds.glsl"
 #include "engine/core/glsl_double.h"
@@ -17,62 +16,38 @@ namespace {
 
 constexpr int kWidth = 96, kHeight = 54;
 
-class CloudsTest : public test::GraphTest {
+class CloudsTest : public test::SkyGraphTest {
  protected:
   void SetUp() override {
-    GraphTest::SetUp();
+    SkyGraphTest::SetUp();
     if (IsSkipped()) return;
-    sky_ = std::make_unique<Sky>(*shaders_, 0);
     clouds_ = std::make_unique<Cloudscape>(*shaders_, 0);
     hdr_ = gl::Texture("hdr", {.format = GL_RGBA16F, .width = kWidth, .height = kHeight});
     depth_ =
         gl::Texture("depth", {.format = GL_DEPTH_COMPONENT32F, .width = kWidth, .height = kHeight});
-    frame_ = gl::Buffer("frame", sizeof(shared::FrameData));
     view_.eye = {0.0, 3.0, 0.0};
     view_.elapsed = 100.0;
-    sun_.sun.azimuth_deg = 200.0;
-    sun_.sun.elevation_deg = sun_.sun.elevation_airless_deg = 40.0;
-    sun_.moon.elevation_deg = sun_.moon.elevation_airless_deg = -50.0;
   }
 
   void TearDown() override {
     clouds_.reset();
-    sky_.reset();
     hdr_ = {};
     depth_ = {};
-    frame_ = {};
-    GraphTest::TearDown();
+    SkyGraphTest::TearDown();
   }
 
   /// One frame toward a direction, with nothing but clouds over black; the pixels, bottom row
   /// first.
   std::vector<float> draw(double azimuth_deg, double pitch_deg, double fov_deg = 70.0) {
     const SkyLight& light = model_.update(sun_, 0.1, view_.eye.y);
-    const double a = radians(azimuth_deg), p = radians(pitch_deg);
-    const glm::vec3 forward(
-        glm::dvec3(std::sin(a) * std::cos(p), std::sin(p), -std::cos(a) * std::cos(p)));
-    const glm::mat4 look = glm::lookAt(glm::vec3(0.0f), forward, glm::vec3(0.0f, 1.0f, 0.0f));
-    const auto half = static_cast<float>(std::tan(radians(fov_deg) / 2.0));  // of the width
-    glm::mat4 clip(0.0f);
-    clip[0][0] = 1.0f / half;
-    clip[1][1] = static_cast<float>(kWidth) / (half * kHeight);
-    clip[2][3] = -1.0f;
-    clip[3][2] = 0.1f;
-    shared::FrameData frame{};
-    frame.clip_from_relative = clip * look;
-    frame.relative_from_clip = glm::inverse(frame.clip_from_relative);
-    frame.viewport = {kWidth, kHeight, 1.0f / kWidth, 1.0f / kHeight};
-    frame.camera = {0.0f, view_.eye.y, 0.0f, 2.0f * half / kWidth};
-    light.fill(frame);
-    frame_.write(frame);
-    frame_.bind_uniform(OFFING_BIND_FRAME);
+    const shared::FrameData frame = test::camera_toward(test::toward(azimuth_deg, pitch_deg),
+                                                        fov_deg, kWidth, kHeight, view_.eye.y);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     const float behind[4] = {background_, background_, background_, 1};
     glClearTexImage(hdr_.id(), 0, GL_RGBA, GL_FLOAT, behind);
     const float nothing[4] = {0, 0, 0, 0};
     glClearTexImage(depth_.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, nothing);
-    graph_->begin_frame();
-    const SkyIds sky = sky_->add_tables(*graph_, light);
+    const SkyIds sky = begin_frame(frame, light);
     const CloudscapeIds clouds = clouds_->add_field(*graph_, view_, light);
     const TextureId hdr = graph_->import(hdr_);
     const CloudCamera camera{
@@ -83,13 +58,6 @@ class CloudsTest : public test::GraphTest {
         "show", [&](PassBuilder& pass) { pass.read(hdr).side_effect(); }, [](PassContext&) {});
     graph_->execute();
     return hdr_.read_floats(4);
-  }
-
-  const PassReport& row(const std::string& name) const {
-    for (const PassReport& r : graph_->report()) {
-      if (r.name == name) return r;
-    }
-    throw std::runtime_error("no pass " + name);
   }
 
   static double mean(const std::vector<float>& picture) {
@@ -103,12 +71,9 @@ class CloudsTest : public test::GraphTest {
     return 4.0 * sum / static_cast<double>(a.size());
   }
 
-  std::unique_ptr<Sky> sky_;
   std::unique_ptr<Cloudscape> clouds_;
   gl::Texture hdr_, depth_;
-  gl::Buffer frame_;
-  SkyLightModel model_;
-  CelestialState sun_;
+  CelestialState sun_ = test::sun_at(200.0, 40.0);
   CloudView view_;
   float background_ = 0.0f;  ///< behind the clouds
 };
