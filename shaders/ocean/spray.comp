@@ -12,6 +12,7 @@ layout(location = 1) uniform uint number;  // of the step
 
 const float kReach = 180.0;      // m
 const float kTries = 80.0;       // per second and drop at rest, of places in reach
+const int kMostTries = 3;        // in one step
 const float kResponse = 0.5;     // s in which drops take on the wind's speed
 const float kFall = 3.0;         // m/s^2: fine drops fall slower than coarse ones
 const float kCell = 0.6;         // m over which the sea is read
@@ -61,7 +62,10 @@ void main() {
   drop.place.xz -= step_.yz;
   drop.place.w += dt;
   if (dt < 0.0 || drop.place.w >= drop.velocity.w) {
-    drop = born(step_.w * min(kTries * abs(dt), 1.0));
+    drop.velocity.w = 0.0;
+    for (int i = 0; i < kMostTries && drop.velocity.w <= 0.0; ++i) {
+      drop = born(step_.w * min(kTries / float(kMostTries) * abs(dt), 1.0));
+    }
   } else {
     vec3 air = vec3(frame.wind.x, 0.0, frame.wind.z) * 0.8;
     drop.velocity.xyz = mix(air, drop.velocity.xyz, exp(-dt / kResponse)) - vec3(0.0, kFall * dt, 0.0);

@@ -11,8 +11,8 @@ out vec2 corner;              // -1 … 1
 flat out vec2 tuft;           // where in the pattern
 flat out vec4 light;          // rgb: radiance × exposure; w: opacity
 
-const float kFirstSize = 0.10, kLastSize = 0.45;  // m, half a side
-const float kOpacity = 0.6;
+const float kFirstSize = 0.15, kLastSize = 0.8;  // m, half a side
+const float kOpacity = 0.3;
 const float kTurbid = 0.85;  // share of the light that a cloud of drops sends back, all ways together
 
 void main() {
@@ -45,6 +45,6 @@ void main() {
   float cosine = dot(view, toward);
   float forward = 0.64 / pow(1.36 - 1.2 * cosine, 1.5);
   vec3 radiance = kTurbid / (4.0 * kWaterPi) * (direct * (0.6 + 0.6 * forward) + 2.0 * from_sky);
-  float shown = smoothstep(0.7, 5.0, distance) * (1.0 - smoothstep(0.3, 1.0, age)) * smoothstep(0.0, 0.08, age);
+  float shown = smoothstep(1.0, 10.0, distance) * (1.0 - smoothstep(0.3, 1.0, age)) * smoothstep(0.0, 0.08, age);
   light = vec4(radiance * frame.time.z, kOpacity * shown);
 }

@@ -28,6 +28,7 @@ layout(binding = OFFING_UNIT_GUSTS) uniform sampler2D gusts;
 layout(binding = OFFING_UNIT_SQUALLS) uniform sampler2D squalls;
 
 const float kFoamAlbedo = 0.55;  // fresh whitecaps, Koepke 1984
+const float kCrestScatter = 0.034; // 1/sr: light turned toward the eye in a crest
 const float kPlumeAlbedo = 0.12;  // of clouds of bubbles under them (by eye)
 
 // Interleaved gradient noise (Jimenez 2014), even over 0 … 1: neighbouring pixels differ as much as they can.
@@ -110,14 +111,16 @@ vec3 sea_radiance(vec4 seen) {
   // Light that has been below.
   vec3 body = ocean.body.rgb * down;
   // Thin water near crests lets light through: the path through it shortens with height above the
-  // troughs, and most of it comes from behind, toward the light.
+  // troughs, and most of it comes from behind, toward the light. Scattered once on the way,
+  // L = E b p s exp(-(a + b) s): b = .2 1/m, p = .1 1/sr at the 40 degrees that it is turned by,
+  // s = 1.7 m (Mobley 1994, ch. 5).
   float steepness = length(surface.slope);
   float crest = clamp(0.5 + height / max(ocean.water.x, 0.3), 0.0, 1.5) *
                 clamp(1.8 * steepness, 0.0, 1.0);
   float away = max(-dot(view.xz, light.xz) - 0.25 * view.y, 0.0);
   float thin = clamp(crest, 0.0, 1.0);
   vec3 through = mix(ocean.crest_thick.rgb, ocean.crest_thin.rgb, thin * thin);
-  body += through * (direct * (0.010 * away * away) + from_sky * 0.006) * crest;
+  body += through * (direct * (kCrestScatter * away * away) + from_sky * 0.006) * crest;
 
   // Bubbles that breaking water has taken down with it, seen through a metre of water: pale green.
   Foam foam = sea_foam(parameter, seen.z, surface.jacobian, surface.unresolved);
