@@ -454,6 +454,7 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
         if (settings_.quality <= 0) {  // whole levels: see sea_map_level_picked()
           level_sampler_.bind(0);
           level_sampler_.bind(1);
+          level_sampler_.bind(2);
         }
         context.texture(above).bind(3);
         context.texture(horizon).bind(4);

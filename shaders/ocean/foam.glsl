@@ -38,6 +38,9 @@ vec2 sea_foam_share(vec2 q, float size) {
 
 // Deviations of the pattern from its mean at a place and a factor of it; `fineness`: log2 texels.
 float foam_lace(vec2 at, float fineness) {
+#ifdef PICK_LEVELS
+  fineness = floor(max(fineness, 0.0) + sea_die());
+#endif
   return kFoamDeviations * (2.0 * textureLod(foam_pattern, at, fineness).r - 1.0);
 }
 // What of the pattern's variance is left when 2^fineness of its texels are averaged (fitted, to .04).

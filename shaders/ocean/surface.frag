@@ -7,6 +7,9 @@
 #include "sky/probe.glsl"
 #include "clouds/shadow.glsl"
 #include "ocean/surface.glsl"
+#ifdef PICK_LEVELS
+#include "ocean/die.glsl"
+#endif
 #include "ocean/resolved.glsl"
 #include "ocean/foam.glsl"
 #include "ocean/glints.glsl"
@@ -30,11 +33,6 @@ layout(binding = OFFING_UNIT_SQUALLS) uniform sampler2D squalls;
 const float kFoamAlbedo = 0.55;  // fresh whitecaps, Koepke 1984
 const float kCrestScatter = 0.034; // 1/sr: light turned toward the eye in a crest
 const float kPlumeAlbedo = 0.12;  // of clouds of bubbles under them (by eye)
-
-// Interleaved gradient noise (Jimenez 2014), even over 0 … 1: neighbouring pixels differ as much as they can.
-float sea_die() {
-  return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-}
 
 // Ripples answer a gust at once, and steeply: their growth goes with the square of the wind's pull (Plant
 // 1982), so do the cat's paws that sailors look for. What the wind does to their variance.
@@ -80,7 +78,7 @@ vec3 sea_radiance(vec4 seen) {
   // Above the mean sea level, over the curved earth.
   float height = diffuse_height.w - distance * view.y +
                  distance * distance * dot(view.xz, view.xz) / kTwiceEarthRadius;
-  Surface surface = read_surface(parameter, seen.z, sea_die());
+  Surface surface = read_surface(parameter, seen.z);
   surface.covariance *= gustiness(parameter);
 
   vec3 light = light_time.xyz;

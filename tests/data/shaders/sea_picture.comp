@@ -3,6 +3,8 @@
 #include "shared/ocean.h"
 #include "lib/water.glsl"
 #include "ocean/surface.glsl"
+float die;
+float sea_die() { return die; }  // as in ocean/die.glsl, where there are pixels
 #include "ocean/resolved.glsl"
 #include "ocean/foam.glsl"
 layout(local_size_x = 64) in;
@@ -11,7 +13,8 @@ layout(std430, binding = 1) writeonly buffer Seen { vec4 seen[]; };     // cover
 
 void main() {
   vec4 place = places[gl_GlobalInvocationID.x];
-  Surface surface = read_surface(place.xy, place.w, place.z);
+  die = place.z;
+  Surface surface = read_surface(place.xy, place.w);
   Foam foam = sea_foam(place.xy, place.w, surface.jacobian, surface.unresolved);
   seen[gl_GlobalInvocationID.x] = vec4(foam.cover, foam.opacity, dot(surface.slope, surface.slope),
                                        surface.covariance.x + surface.covariance.y);
