@@ -116,6 +116,7 @@ class Ocean {
   const SeaMaps& maps() const { return maps_; }
   const Underwater& underwater() const { return underwater_; }
   const FoamMap& foam() const { return foam_map_; }
+  const Spray& spray() const { return spray_; }
   const OceanSettings& settings() const { return settings_; }
 
  private:

@@ -230,7 +230,7 @@ Cascade make_cascade(const SeaSpectrum& spectrum, const CascadeBand& band, int s
     }
   }
 
-  double drawn = 0.0;  // m^2
+  double drawn = 0.0;                       // m^2
   double slopes = 0.0, drawn_slopes = 0.0;  // their mean square
   for (int iz = 0; iz < size; ++iz) {
     for (int ix = 0; ix < size; ++ix) {
@@ -280,8 +280,8 @@ Cascade make_cascade(const SeaSpectrum& spectrum, const CascadeBand& band, int s
     }
   }
   // A patch holds few of the longest waves, and chance would make it 10 % too high or too low. The
-  // draw is scaled to the energy that it stands for: groups stay random, the height is right. Of the
-  // fine cascades, whose height is next to nothing, the slopes are to be right.
+  // draw is scaled to the energy that it stands for: groups stay random, the height is right. Of
+  // the fine cascades, whose height is next to nothing, the slopes are to be right.
   const bool fine = number >= 2;
   const double stands_for = fine ? slopes : cascade.variance;
   if (drawn > 0.0) {
