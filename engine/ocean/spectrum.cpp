@@ -230,8 +230,7 @@ Cascade make_cascade(const SeaSpectrum& spectrum, const CascadeBand& band, int s
     }
   }
 
-  double drawn = 0.0;                       // m^2
-  double slopes = 0.0, drawn_slopes = 0.0;  // their mean square
+  double drawn = 0.0;  // m^2
   for (int iz = 0; iz < size; ++iz) {
     for (int ix = 0; ix < size; ++ix) {
       const int nx = signed_index(ix, size), nz = signed_index(iz, size);
@@ -265,8 +264,6 @@ Cascade make_cascade(const SeaSpectrum& spectrum, const CascadeBand& band, int s
       cascade.h0[cell] = 0.5 * std::sqrt(energy) * std::complex<double>(normal.x, normal.y);
       cascade.variance += energy;
       drawn += 2.0 * std::norm(cascade.h0[cell]);
-      drawn_slopes += 2.0 * std::norm(cascade.h0[cell]) * glm::dot(k, k);
-      slopes += energy * glm::dot(k, k);
       if (std::abs(nx) < quarter && std::abs(nz) < quarter) {
         cascade.slope_cells[static_cast<std::size_t>(std::abs(nz) * quarter + std::abs(nx))] +=
             {energy * k.x * k.x, energy * k.y * k.y, energy * k.x * k.y};
@@ -280,12 +277,9 @@ Cascade make_cascade(const SeaSpectrum& spectrum, const CascadeBand& band, int s
     }
   }
   // A patch holds few of the longest waves, and chance would make it 10 % too high or too low. The
-  // draw is scaled to the energy that it stands for: groups stay random, the height is right. Of
-  // the fine cascades, whose height is next to nothing, the slopes are to be right.
-  const bool fine = number >= 2;
-  const double stands_for = fine ? slopes : cascade.variance;
+  // draw is scaled to the energy that it stands for: groups stay random, the height is right.
   if (drawn > 0.0) {
-    const double factor = std::sqrt(stands_for / (fine ? drawn_slopes : drawn));
+    const double factor = std::sqrt(cascade.variance / drawn);
     for (std::complex<double>& h0 : cascade.h0) h0 *= factor;
   }
   return cascade;

@@ -100,8 +100,7 @@ struct Cascade {
 };
 
 /// h0 = (xr + i xi) sqrt(E) / 2 with normals that depend on the seed, the cascade's number and the
-/// signed wave indices only, all scaled so that 2 sum |h0|^2 is the band's energy in every draw; from
-/// number 2 on so that its mean square slope is.
+/// signed wave indices only, all scaled so that 2 sum |h0|^2 is the band's energy in every draw.
 /// The Nyquist row and column and k = 0 are empty.
 Cascade make_cascade(const SeaSpectrum& spectrum, const CascadeBand& band, int size,
                      std::uint64_t seed, int number);

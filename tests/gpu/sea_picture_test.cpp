@@ -118,42 +118,38 @@ TEST_F(SeaPicture, WhitecapsCoverTheShareThatWasObserved) {
   }
 }
 
-// What is really drawn, in low (where a pixel reads one of two map levels) and in medium, plus what
-// it takes for roughness, is the total, from one's feet to 5 km. Waves are taken as they are before
-// they are drawn together.
+// What is really drawn in low, where a pixel reads one of two map levels, plus what it takes for
+// roughness, is the total, from one's feet to 5 km. Waves are taken as they are before they are
+// drawn together.
 TEST_F(SeaPicture, ResolvedAndResidualSlopesMakeTheTotal) {
-  for (const int quality : {0, 1}) {
-    const OceanSettings settings = OceanSettings::of_quality(quality);
-    Ocean ocean(*shaders_, settings);
-    ShaderDefines defines{{"CASCADES", std::to_string(settings.cascades)}};
-    if (quality == 0) defines.emplace_back("PICK_LEVELS", "");
-    const ShaderProgram& reader = program("sea_picture.comp", defines);
-    Environment environment;
-    SeaState state;
-    state.choppiness = 0.0;
-    const std::array distances{1.0, 10.0, 100.0, 1000.0, 5000.0};
-    std::vector<Pixels> sorts;
-    for (const double distance : distances) {
-      // The size that mesh.frag gives a pixel of 640 x 360, seen from 3 m up.
-      const double pixel = distance * 1.6e-3;
-      sorts.push_back({2000.0, std::max(pixel, pixel * distance / 3.0 / 4.0)});
+  const OceanSettings settings = OceanSettings::of_quality(0);
+  Ocean ocean(*shaders_, settings);
+  const ShaderProgram& reader = program(
+      "sea_picture.comp", {{"CASCADES", std::to_string(settings.cascades)}, {"PICK_LEVELS", ""}});
+  Environment environment;
+  SeaState state;
+  state.choppiness = 0.0;
+  const std::array distances{1.0, 10.0, 100.0, 1000.0, 5000.0};
+  std::vector<Pixels> sorts;
+  for (const double distance : distances) {
+    // The size that mesh.frag gives a pixel of 640 x 360, seen from 3 m up.
+    const double pixel = distance * 1.6e-3;
+    sorts.push_back({2000.0, std::max(pixel, pixel * distance / 3.0 / 4.0)});
+  }
+  for (const double wind : {5.0, 15.0}) {
+    environment.wind.speed = wind;
+    const double cox_munk = 0.003 + 0.00512 * 1.018 * wind;  // at 12.5 m
+    std::array<double, 5> all{};
+    constexpr int kSeas = 4;  // a draw's slopes scatter
+    for (std::uint64_t seed = 0; seed < kSeas; ++seed) {
+      ocean.set_sea(state, environment, seed);
+      const auto seen = means(ocean, reader, 10.0, sorts, {0.0, 0.0});
+      for (std::size_t i = 0; i < 5; ++i) all[i] += (seen[i].slope2 + seen[i].missing) / kSeas;
     }
-    for (const double wind : {5.0, 15.0}) {
-      environment.wind.speed = wind;
-      const double cox_munk = 0.003 + 0.00512 * 1.018 * wind;  // at 12.5 m
-      std::array<double, 5> all{};
-      constexpr int kSeas = 4;  // a draw's slopes scatter
-      for (std::uint64_t seed = 0; seed < kSeas; ++seed) {
-        ocean.set_sea(state, environment, seed);
-        const auto seen = means(ocean, reader, 10.0, sorts, {0.0, 0.0});
-        for (std::size_t i = 0; i < 5; ++i) all[i] += (seen[i].slope2 + seen[i].missing) / kSeas;
-      }
-      for (std::size_t i = 0; i < 5; ++i) {
-        EXPECT_NEAR(all[i] / cox_munk, 1.0, 0.15)
-            << wind << " m/s, " << distances[i] << " m, quality " << quality;
-        EXPECT_NEAR(all[i] / ocean.slope_variance().total(), 1.0, 0.05)
-            << wind << " m/s, " << distances[i] << " m, quality " << quality;
-      }
+    for (std::size_t i = 0; i < 5; ++i) {
+      EXPECT_NEAR(all[i] / cox_munk, 1.0, 0.15) << wind << " m/s, " << distances[i] << " m";
+      EXPECT_NEAR(all[i] / ocean.slope_variance().total(), 1.0, 0.05)
+          << wind << " m/s, " << distances[i] << " m";
     }
   }
 }
