@@ -93,24 +93,24 @@ CloudQuality CloudQuality::of(int quality) {
     case 0:
       return {.scale = 2,
               .cell = {2, 2},
-              .steps = 36,
+              .steps = 48,
               .light_steps = 3,
-              .finest = 45.0f,
+              .finest = 26.0f,
               .growth = 0.013f,
               .reach = 70000.0f,
               .curl = false};
     case 1:
       return {.cell = {4, 2},
-              .steps = 64,
+              .steps = 80,
               .light_steps = 4,
-              .finest = 30.0f,
+              .finest = 18.0f,
               .growth = 0.008f,
               .reach = 90000.0f};
     case 2:
       return {.cell = {2, 2},
-              .steps = 96,
+              .steps = 110,
               .light_steps = 5,
-              .finest = 20.0f,
+              .finest = 14.0f,
               .growth = 0.006f,
               .reach = 110000.0f};
     default:

@@ -33,13 +33,11 @@ double streaks(double wind) { return std::clamp((wind - 13.0) / 13.0, 0.0, 1.0);
 
 double fraction(double x) { return x - std::floor(x); }
 
-ShaderDefines mesh_defines(const OceanSettings& settings) {
-  return {{"MORPH", std::to_string(SeaMesh::kMorph)},
-          {"FOOTPRINT_RATIO", settings.mesh_cells <= 8 ? "4.0" : "3.0"}};
-}
-
-ShaderDefines two_sided(ShaderDefines defines) {
-  defines.emplace_back("TWO_SIDED", "1");
+ShaderDefines mesh_defines(const OceanSettings& settings, bool hull, bool two_sided) {
+  ShaderDefines defines{{"MORPH", std::to_string(SeaMesh::kMorph)},
+                        {"FOOTPRINT_RATIO", settings.mesh_cells <= 8 ? "4.0" : "3.0"}};
+  if (hull) defines.emplace_back("HULL", "");
+  if (two_sided) defines.emplace_back("TWO_SIDED", "");
   return defines;
 }
 
@@ -79,10 +77,12 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
       maps_(shaders, settings.cascades, settings.size),
       water_(std::make_unique<FftMoments>()),
       mesh_{.cells = settings.mesh_cells, .finest_spacing = 3.2 / settings.mesh_cells},
-      mesh_program_(
-          shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"}, mesh_defines(settings))),
+      mesh_program_(shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"},
+                                    mesh_defines(settings, false, false))),
+      mesh_about_hull_(shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"},
+                                       mesh_defines(settings, true, false))),
       two_sided_mesh_program_(shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"},
-                                              two_sided(mesh_defines(settings)))),
+                                              mesh_defines(settings, true, true))),
       surface_(shaders.program({"ocean/surface.vert", "ocean/surface.frag"},
                                surface_defines(settings, false))),
       surface_over_hull_(shaders.program({"ocean/surface.vert", "ocean/surface.frag"},
@@ -376,22 +376,24 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
   ids.solid = underwater_.add_solid(graph, depth, wet);
   const TextureId foam = add_foam(graph, view, sea, !nothing_in_view || wet);
 
+  const bool about_hull = view.hull_in_view || wet;
   graph.add(
       "sea.mesh",
       [&](PassBuilder& pass) {
-        pass.read(sea.displacement).read(dry);
+        pass.read(sea.displacement);
+        if (about_hull) pass.read(dry);
         pass.write(seen, Access::kAttachment).modify(depth).render_to({seen}, depth);
         pass.skip_if(nothing_in_view && !wet);
       },
-      [this, sea, dry, wet, squares = std::move(squares)](const PassContext& context) {
+      [this, sea, dry, wet, about_hull, squares = std::move(squares)](const PassContext& context) {
         squares_.write(squares.data(), squares.size() * sizeof(SeaMesh::Square));
         const float nowhere[4] = {0.0f, 0.0f, 0.0f, 0.0f};
         glClearBufferfv(GL_COLOR, 0, nowhere);
         context.texture(sea.displacement).bind(0);
-        context.texture(dry).bind(3);
+        if (about_hull) context.texture(dry).bind(3);
         map_sampler_.bind(0);
         block_.bind_uniform(OFFING_BIND_OCEAN);
-        (wet ? two_sided_mesh_program_ : mesh_program_).use();
+        (wet ? two_sided_mesh_program_ : about_hull ? mesh_about_hull_ : mesh_program_).use();
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_GREATER);
         glDepthMask(GL_TRUE);

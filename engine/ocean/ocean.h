@@ -137,6 +137,7 @@ class Ocean {
   SeaWater water_;
   SeaMesh mesh_;
   const ShaderProgram& mesh_program_;
+  const ShaderProgram& mesh_about_hull_;         ///< leaves its inside dry
   const ShaderProgram& two_sided_mesh_program_;  ///< tells from which side water is seen
   const ShaderProgram& surface_;
   const ShaderProgram& surface_over_hull_;  ///< where one shows through the water

@@ -79,7 +79,10 @@ struct Setting {
   CloudQuality quality;
   double step_scale = 1.0;
   bool shipped = false;
+  bool as_before = false;  ///< differs from the setting before only in what a view can say
 };
+
+using Runs = std::vector<std::shared_ptr<CloudRun>>;
 
 constexpr const char* kNames[] = {"low", "medium", "high", "ultra"};
 
@@ -87,26 +90,19 @@ std::vector<Setting> settings() {
   std::vector<Setting> list;
   for (int level = 0; level < 4; ++level) {
     const CloudQuality shipped = CloudQuality::of(level);
-    const auto add = [&](const char* change, double step_scale, auto with) {
-      CloudQuality quality = shipped;
-      with(quality);
-      list.push_back({fmt::format("{}{}", kNames[level], change), quality, step_scale, !*change});
-    };
-    const auto same = [](CloudQuality&) {};
-    add("", 1.0, same);
-    add(", steps × 2", 2.0, same);
-    add(", steps × 0.5", 0.5, same);
-    add(", 2 light steps less", 1.0, [](CloudQuality& q) { q.light_steps -= 2; });
-    add(", 2 light steps more", 1.0, [](CloudQuality& q) { q.light_steps += 2; });
-    add(", twice the pixels", 1.0,
-        [](CloudQuality& q) { (q.cell.x > 1 ? q.cell.x : q.cell.y) /= 2; });
-    add(", half the pixels", 1.0,
-        [](CloudQuality& q) { (q.cell.x > q.cell.y ? q.cell.y : q.cell.x) *= 2; });
+    CloudQuality dimmer = shipped;
+    dimmer.light_steps -= 2;
+    const std::string name = kNames[level];
+    list.push_back({name, shipped, 1.0, true});
+    list.push_back({name + ", steps × 2", shipped, 2.0, false, true});
+    list.push_back({name + ", steps × 0.5", shipped, 0.5, false, true});
+    list.push_back({name + ", 2 light steps less", dimmer, 1.0, false, true});
   }
-  // More than every pixel there is not.
-  list.erase(std::remove_if(list.begin(), list.end(),
-                            [](const Setting& s) { return s.quality.cell.y < 1; }),
-             list.end());
+  // Cheaper than anything that is shipped.
+  CloudQuality smaller = CloudQuality::of(0);
+  smaller.scale *= 2;
+  smaller.light_steps = 1;
+  list.push_back({"low at half its size, 1 light step", smaller, 2.0});
   return list;
 }
 
@@ -120,7 +116,13 @@ struct Point {
 
 constexpr double kTurn = 0.006;  // radians of a pan in a frame: 20 degrees a second
 constexpr int kPanFrames = 16;
+constexpr glm::ivec2 kPlayed{640, 360};
 constexpr int kRounds = 5;  // of timing
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
 
 /// What a setting sees of one view.
 class Trial {
@@ -130,6 +132,7 @@ class Trial {
         view_(view),
         frames_(std::max(2 * setting.quality.cell.x * setting.quality.cell.y, 4)) {
     view_.clouds.parameters.step_scale = setting.step_scale;
+    view_.clouds.parameters.light_steps = setting.quality.light_steps;
     point_.name = setting.name;
     point_.shipped = setting.shipped;
   }
@@ -152,10 +155,6 @@ class Trial {
   }
 
  private:
-  static double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-  }
   /// Two rounds over the picture of a camera that stands; ms of a frame. The first frame, which
   /// marches all of it, does not count.
   double stand() {
@@ -185,8 +184,7 @@ class Trial {
 };
 
 /// The points of all settings for one view, timed by turns: a machine that slows down slows all.
-std::vector<Point> measure(const std::vector<Setting>& list,
-                           const std::vector<std::unique_ptr<CloudRun>>& runs,
+std::vector<Point> measure(const std::vector<Setting>& list, const Runs& runs,
                            const FrameView& view, const Image& sky, const Image& reference) {
   std::vector<Trial> trials;
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -201,15 +199,18 @@ std::vector<Point> measure(const std::vector<Setting>& list,
   return points;
 }
 
-std::vector<std::unique_ptr<CloudRun>> runs_of(const std::vector<Setting>& list) {
-  std::vector<std::unique_ptr<CloudRun>> runs;
-  for (const Setting& setting : list) runs.push_back(std::make_unique<CloudRun>(setting.quality));
+/// One for each setting.
+Runs runs_of(const std::vector<Setting>& list) {
+  Runs runs;
+  for (const Setting& setting : list) {
+    runs.push_back(setting.as_before ? runs.back() : std::make_shared<CloudRun>(setting.quality));
+  }
   return runs;
 }
 
-/// The main source's march: light of its own clouds over the sky, and what it costs.
-Image fixed_step(CloudRun& run, const FrameView& view, const Image& sky, double step_length,
-                 int light_steps, double* ms) {
+/// The main source's march: light of its own clouds, and what it costs.
+CloudSightings fixed_step(CloudRun& run, const FrameView& view, double step_length, int light_steps,
+                          double* ms) {
   const ShaderProgram& program = run.shaders().program({"clouds/fixed_step.comp"});
   const gl::Texture light("clouds fixed step",
                           {.format = GL_RGBA32F, .width = view.size.x, .height = view.size.y});
@@ -246,7 +247,7 @@ Image fixed_step(CloudRun& run, const FrameView& view, const Image& sky, double 
   const std::vector<float> values = light.read_floats(4);
   for (std::size_t i = 0; i < values.size(); i += 4)
     clouds.light.emplace_back(values[i], values[i + 1], values[i + 2], values[i + 3]);
-  return over_sky(clouds, sky);
+  return clouds;
 }
 
 Json json_of(const Point& p) {
@@ -257,16 +258,6 @@ Json json_of(const Point& p) {
           {"shipped", p.shipped},
           {"still", errors(p.still_ms, p.still)},
           {"pan", errors(p.pan_ms, p.pan)}};
-}
-
-/// The least time among ours that has at most this error; negative where none has.
-double time_to(const std::vector<Point>& ours, ImageError Point::*when, double Point::*ms,
-               double flip) {
-  double best = -1.0;
-  for (const Point& p : ours) {
-    if ((p.*when).flip <= flip && (best < 0.0 || p.*ms < best)) best = p.*ms;
-  }
-  return best;
 }
 
 /// For each shipped quality: which other setting is faster and nearer to the reference at once, by
@@ -315,26 +306,57 @@ std::vector<Setting> switched_off() {
   return list;
 }
 
-/// Ours beside the main source's march, each against its own converged picture.
-Json beside_fixed_steps(CloudRun& run, const FrameView& view, const Image& sky,
-                        const std::vector<Point>& ours, PlotCurve& curve) {
-  const Image converged = fixed_step(run, view, sky, 12.5, 64, nullptr);
+/// Ours beside the main source's march, each against its own converged picture. Times are those of
+/// `large`, the same view at a size that is played: a small picture leaves a machine waiting.
+Json beside_fixed_steps(CloudRun& run, const std::vector<Setting>& list, const Runs& runs,
+                        const FrameView& view, const FrameView& large, const Image& sky,
+                        const std::vector<Point>& ours) {
+  struct Cost {
+    Point point;  ///< errors at the size of `view`, times at that of `large`
+    Trial trial;
+  };
+  std::vector<Cost> costs;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    // A step at full size costs seconds: not every one of ours.
+    if (list[i].shipped || i + 1 == list.size())
+      costs.push_back({ours[i], Trial(*runs[i], list[i], large)});
+  }
+  struct Source {
+    double length;
+    std::vector<double> ms;
+  };
+  std::vector<Source> sources = {{400.0, {}}, {200.0, {}}, {100.0, {}}, {50.0, {}}};
+  for (int round = 0; round < 3; ++round) {  // by turns, as above
+    for (Cost& cost : costs) cost.trial.measure_time();
+    for (Source& source : sources) {
+      source.ms.push_back(0.0);
+      fixed_step(run, large, source.length, 8, &source.ms.back());
+    }
+  }
+  const Image converged = over_sky(fixed_step(run, view, 12.5, 64, nullptr), sky);
   Json rows;
-  for (const double length : {400.0, 200.0, 100.0, 50.0}) {
-    double ms = 0.0;
-    const Image image = fixed_step(run, view, sky, length, 8, &ms);
-    const ImageError error = error_of(converged, image);
-    const auto share = [&](double to) { return to < 0.0 ? Json(nullptr) : Json(to / ms); };
-    rows.push_back({{"step_m", length},
-                    {"light_steps", 8},
-                    {"ms", ms},
-                    {"flip", error.flip},
-                    {"relative_rmse", error.rmse},
-                    {"ours_still_share_of_time",
-                     share(time_to(ours, &Point::still, &Point::still_ms, error.flip))},
-                    {"ours_pan_share_of_time",
-                     share(time_to(ours, &Point::pan, &Point::pan_ms, error.flip))}});
-    curve.points.push_back({ms, error.flip});
+  for (Source& source : sources) {
+    const double ms = median(source.ms);
+    const ImageError error =
+        error_of(converged, over_sky(fixed_step(run, view, source.length, 8, nullptr), sky));
+    Json row = {{"step_m", source.length},
+                {"light_steps", 8},
+                {"timed_at", {large.size.x, large.size.y}},
+                {"ms", ms},
+                {"flip", error.flip},
+                {"relative_rmse", error.rmse}};
+    for (const bool pan : {false, true}) {
+      Json best = nullptr;  // the fastest of ours that is no worse
+      for (const Cost& cost : costs) {
+        const Point times = cost.trial.point();
+        const double own = pan ? times.pan_ms : times.still_ms;
+        const double flip = pan ? cost.point.pan.flip : cost.point.still.flip;
+        if (flip <= error.flip && (best.is_null() || own < best["ms"]))
+          best = {{"name", cost.point.name}, {"ms", own}, {"share_of_time", own / ms}};
+      }
+      row[pan ? "ours_panning" : "ours_still"] = best;
+    }
+    rows.push_back(row);
   }
   return rows;
 }
@@ -353,14 +375,16 @@ void bench_clouds(const Options& options) {
   report["renderer"] = gl::current_renderer().name;
   report["timer"] = software ? "cpu" : "finish";
   const std::vector<Setting> list = settings();
-  const std::vector<std::unique_ptr<CloudRun>> runs = runs_of(list);
-  CloudRun& truth = *runs.back();
+  const Runs runs = runs_of(list);
+  CloudRun& truth = *runs.front();
   std::vector<Plot> plots;
   for (const BenchView& bench_view : bench_views()) {
     std::vector<std::string> sets = bench_view.sets;
     sets.insert(sets.end(), options.sets.begin(), options.sets.end());
     const FrameView view = still_view(make_scene(bench_view.scene, sets), size);
 
+    // What is kept of another view's light and weather has gone by then.
+    for (int frame = 0; frame < 8; ++frame) truth.march(view);
     const Image sky = truth.sky(view);
     const double begin = work_milliseconds(software);
     const Image reference = over_sky(truth.reference(view), sky);
@@ -386,9 +410,8 @@ void bench_clouds(const Options& options) {
               {shipped, still, pan}};
     const std::string name = bench_view.name;
     if (name == "day" || name == "overhead") {
-      PlotCurve source{"fixed steps, full size", {}, {}};
-      json["fixed_step"] = beside_fixed_steps(truth, view, sky, ours, source);
-      plot.curves.push_back(source);
+      const FrameView large = still_view(make_scene(bench_view.scene, sets), kPlayed);
+      json["fixed_step"] = beside_fixed_steps(truth, list, runs, view, large, sky, ours);
     }
     plots.push_back(plot);
     if (name == "day") {
