@@ -3,7 +3,7 @@
 #include "shared/ocean.h"
 #include "lib/water.glsl"
 #include "ocean/surface.glsl"
-float die;
+float die = 0.0;
 float sea_die() { return die; }  // as in ocean/die.glsl, where there are pixels
 #include "ocean/resolved.glsl"
 #include "ocean/foam.glsl"
