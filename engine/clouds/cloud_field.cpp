@@ -76,6 +76,11 @@ shared::CloudData cloud_data(const CloudView& view, const SkyLight& light) {
   data.march =
       pack(p.step_scale, p.phase == static_cast<int>(CloudPhase::kDroplets) ? p.droplets_um : 0.0,
            0.0, 0.0);
+  const double over_bases =
+      600.0 * p.scale + view.flash.height * std::max(tallest - 600.0, 0.0) * p.scale;
+  const glm::dvec2 flash =
+      view.flash.away + along * (static_cast<double>(data.wind.z) * over_bases);
+  data.flash = pack(flash.x, base + over_bases - view.eye.y, flash.y, view.flash.candela);
   return data;
 }
 

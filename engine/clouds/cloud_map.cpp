@@ -102,6 +102,7 @@ std::optional<ProbeClouds> CloudMap::add(FrameGraph& graph, const CloudField& fi
 
   CloudView low = view;
   low.eye.y = std::clamp(view.eye.y, 1.0, kHighestEye);
+  low.flash = {};  // gone before the map has been gone through
   shared::CloudData seen = cloud_data(low, light);
   seen.shadow = data.shadow;
   seen.shadow_light = data.shadow_light;

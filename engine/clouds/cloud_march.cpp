@@ -86,6 +86,8 @@ glm::vec3 forward_of(const CloudCamera& camera) {
   return glm::normalize(glm::vec3(ahead));
 }
 
+constexpr double kShownFlash = 1e6;  // cd: less is not seen by night, either
+
 }  // namespace
 
 CloudQuality CloudQuality::of(int quality) {
@@ -163,7 +165,10 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
   const bool cut = !known_ || glm::length(camera.eye - before_.eye) > kCutDistance ||
                    glm::dot(forward_of(camera), forward_of(before_)) < kCutCosine ||
                    glm::length(carried - carried_before_) > kCutDistance;
-  const bool whole = cut || turns == 1;
+  // Lightning changes faster than a round of pixels.
+  const bool flashing = view.flash.candela > kShownFlash;
+  const bool whole = cut || turns == 1 || flashing || flashing_before_;
+  flashing_before_ = flashing;
   const int first_row =
       view.eye.y < field.lowest_base() ? first_sky_row(camera) / quality_.scale : 0;
   const auto scale = static_cast<float>(quality_.scale);

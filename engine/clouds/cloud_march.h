@@ -74,6 +74,7 @@ class CloudMarch {
   int turn_ = 0;          ///< which pixel of each cell comes next
   int still_frames_ = 0;  ///< since anything has changed
   bool known_ = false;
+  bool flashing_before_ = false;
   std::uint64_t shown_ = 0;
   CloudCamera before_;
   int first_row_before_ = 0;

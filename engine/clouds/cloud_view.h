@@ -11,6 +11,13 @@
 
 namespace offing {
 
+/// Lightning as it is seen now.
+struct FlashView {
+  glm::dvec2 away{0.0};  ///< from the eye to its place in the weather (x, z; m)
+  double height = 0.0;   ///< over the bases, share of the tallest cloud
+  double candela = 0.0;  ///< 0: none
+};
+
 /// What clouds are drawn from: the weather of now, and from where they are seen.
 struct CloudView {
   Clouds weather;                ///< cover, type, precipitation, high
@@ -21,6 +28,7 @@ struct CloudView {
   glm::dvec3 eye{0.0};           ///< the camera in the world, m
   std::uint64_t seed = 1;
   CloudParameters parameters;
+  FlashView flash;
 };
 
 /// How far (x, z; m) and how fast (m/s) the wind at this height (m) carries clouds.

@@ -27,7 +27,25 @@ double pattern_at(const std::vector<std::uint8_t>& patterns, glm::dvec2 units, i
                   glm::mix(value(0, 1), value(1, 1), share.x), share.y);
 }
 
+/// As clouds/weather.comp has it.
+double rain_at(const std::vector<std::uint8_t>& patterns, const Clouds& weather,
+               const WeatherOffsets& offsets, glm::dvec2 at) {
+  const double cells = pattern_at(patterns, at + offsets.cells, 0);
+  const double finer = pattern_at(patterns, 2.0 * glm::dvec2(at.y, at.x) + offsets.finer, 0);
+  const double fronts = pattern_at(patterns, at + offsets.fronts, 1);
+  const double coverage = glsl::weather_coverage(cells, finer, fronts, weather.cover);
+  return coverage > 1.0 - weather.cover
+             ? glsl::weather_rain(coverage, fronts, weather.precipitation)
+             : 0.0;
+}
+
 }  // namespace
+
+double RainCells::at(const CloudView& view, double elapsed, glm::dvec2 place) const {
+  if (rain_.empty()) return 0.0;
+  const WeatherOffsets offsets = weather_offsets(view.seed, view.parameters.evolution * elapsed);
+  return rain_at(patterns_, view.weather, offsets, place);
+}
 
 bool RainCells::update(const CloudView& view) {
   const bool raining = view.weather.precipitation > 0.0 && view.weather.cover > 0.0;
@@ -46,15 +64,8 @@ bool RainCells::update(const CloudView& view) {
   float most = 0.0f;
   for (int j = 0; j < kSize; ++j) {
     for (int i = 0; i < kSize; ++i) {
-      // As clouds/weather.comp has it.
-      const glm::dvec2 at = (glm::dvec2(i, j) + 0.5) / static_cast<double>(kSize);
-      const double cells = pattern_at(patterns_, at + offsets.cells, 0);
-      const double finer = pattern_at(patterns_, 2.0 * glm::dvec2(at.y, at.x) + offsets.finer, 0);
-      const double fronts = pattern_at(patterns_, at + offsets.fronts, 1);
-      const double coverage = glsl::weather_coverage(cells, finer, fronts, view.weather.cover);
-      const bool cloud = coverage > 1.0 - view.weather.cover;
-      const double rain =
-          cloud ? glsl::weather_rain(coverage, fronts, view.weather.precipitation) : 0.0;
+      const double rain = rain_at(patterns_, view.weather, offsets,
+                                  (glm::dvec2(i, j) + 0.5) / static_cast<double>(kSize));
       rain_.push_back(static_cast<float>(rain));
       most = std::max(most, rain_.back());
     }

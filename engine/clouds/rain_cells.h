@@ -19,6 +19,9 @@ class RainCells {
   /// there are none and nothing is worked out.
   bool update(const CloudView& view);
 
+  /// Rain, 0 to 1, at a place on the weather map (in periods) at a time (s); 0 before any update().
+  double at(const CloudView& view, double elapsed, glm::dvec2 place) const;
+
   bool any() const { return !rain_.empty(); }
   /// 0 to 1, row by row, from the corner on.
   const std::vector<float>& rain() const { return rain_; }

@@ -11,6 +11,8 @@
 namespace offing {
 namespace {
 
+constexpr double kDeviations = 3.2;  // that black and white stand for: kFoamDeviations of foam.glsl
+
 /// Distance to the nearest of one random point per cell, in cells; repeats after `cells`.
 double nearest_bubble(double x, double y, int cells, std::uint64_t seed) {
   const int cx = static_cast<int>(std::floor(x)), cy = static_cast<int>(std::floor(y));
@@ -52,9 +54,14 @@ gl::Texture make_foam_pattern(int size) {
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t a, std::uint32_t b) { return height[a] < height[b]; });
+  // The rank of a value, as a share, is the normal distribution's at what is stored for it.
   std::vector<std::uint8_t> pixels(count);
+  int value = 0;
   for (std::size_t rank = 0; rank < count; ++rank) {
-    pixels[order[rank]] = static_cast<std::uint8_t>(rank * 256 / count);
+    const double share = (static_cast<double>(rank) + 0.5) / static_cast<double>(count);
+    const auto edge = [&] { return kDeviations * (2.0 * (value + 0.5) / 255.0 - 1.0); };
+    while (value < 255 && 0.5 * std::erfc(-edge() / std::sqrt(2.0)) < share) ++value;
+    pixels[order[rank]] = static_cast<std::uint8_t>(value);
   }
   // Floats, because a CPU renderer filters bytes more slowly.
   gl::Texture texture("sea.foam", {.format = GL_R32F,

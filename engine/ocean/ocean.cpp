@@ -28,11 +28,8 @@ constexpr int kHorizonTexels = 256;         // of the sky's strip
 constexpr double kTallestWave = 1.5;        // over Hs: none in a day's 10 000 waves is higher
 constexpr double kFarthestInWater = 250.0;  // m: no surface is seen from below beyond that
 
-/// Foam lies in rows from force 7 on.
-double streaks(double wind) {
-  const double t = std::clamp((wind - 11.0) / 6.0, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
+/// Foam lies in rows from force 7 on, all over the sea at force 10.
+double streaks(double wind) { return std::clamp((wind - 13.0) / 13.0, 0.0, 1.0); }
 
 double fraction(double x) { return x - std::floor(x); }
 
@@ -106,6 +103,7 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
       roughness_("sea.roughness",
                  {.format = GL_RGBA32F, .width = shared::kRoughnessEntries, .height = 1}),
       foam_map_(shaders, settings.foam_size),
+      spray_(shaders, settings.quality),
       underwater_(shaders, settings.quality) {
   make_grid();
 }
@@ -265,7 +263,8 @@ void Ocean::update_block(const OceanView& view) {
   const double v = stretch * (along.x * view.eye.y - along.y * view.eye.x);
   data.foam_grid =
       glm::vec4(glm::dvec4(8.0 * fraction(u / 8.0), 8.0 * fraction(v / 8.0), along.x, along.y));
-  data.foam_stretch = glm::vec4(glm::dvec4(stretch, stretch * kFoamTexels, 0, 0));
+  data.foam_stretch =
+      glm::vec4(glm::dvec4(stretch, stretch * kFoamTexels, 3.6 / settings_.foam_size, 0));
 
   const glm::dvec2 gust = (view.eye - view.gust_origin) / GustField::kPeriod;
   data.gust = glm::vec4(glm::dvec4(fraction(gust.x), fraction(gust.y), 1.0 / GustField::kPeriod,
@@ -497,6 +496,16 @@ SurfaceAccess Ocean::surface_access(const SeaIds& sea, TextureId foam) const {
         wrap_sampler_.bind(OFFING_UNIT_FOAM);
       },
       [] { unbind_samplers(); }};
+}
+
+void Ocean::add_spray(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
+                      const LightAccess& sky, TextureId hdr, TextureId depth, bool visible) {
+  spray_.add(graph,
+             {.eye = view.eye,
+              .time = view.time,
+              .wind_speed = wind_speed_,
+              .visible = visible && view.lens != Lens::kSubmerged},
+             surface_access(sea, graph.import(foam_map_.map())), sky, hdr, depth);
 }
 
 void Ocean::add_underwater(FrameGraph& graph, const UnderwaterView& view, const SeaIds& sea,

@@ -20,6 +20,7 @@
 #include "engine/ocean/sea_state.h"
 #include "engine/ocean/sea_water.h"
 #include "engine/ocean/spectrum.h"
+#include "engine/ocean/spray.h"
 #include "engine/ocean/underwater.h"
 #include "engine/shader/shader_library.h"
 
@@ -83,6 +84,9 @@ class Ocean {
   UnderwaterIds add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
                          const LightAccess& sky, TextureId dry, TextureId hdr, TextureId depth,
                          bool visible);
+  /// Adds the spray of breaking crests over all that is drawn but the view from the water.
+  void add_spray(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
+                 const LightAccess& sky, TextureId hdr, TextureId depth, bool visible);
   /// Adds the view from the water, last before tone mapping (underwater.h). Skipped while dry.
   void add_underwater(FrameGraph& graph, const UnderwaterView& view, const SeaIds& sea,
                       const LightAccess& sky, const UnderwaterIds& ids, TextureId hdr) const;
@@ -95,6 +99,9 @@ class Ocean {
   /// Adds sea.foam alone, which add_draw() contains: the foam map for the view's place and time.
   TextureId add_foam(FrameGraph& graph, const OceanView& view, const SeaIds& sea, bool visible);
 
+  /// The surface's maps, foam and parameters for a pass of one's own, for the view of add_foam().
+  SurfaceAccess surface_access(const SeaIds& sea, TextureId foam) const;
+
   /// Takes in what has come back of the sea; never waits.
   void collect();
   /// Heights of the water for physics; safe from any thread.
@@ -105,9 +112,11 @@ class Ocean {
   double carried_variance() const;
   std::span<const Cascade> cascades() const { return cascades_; }
   double choppiness() const { return choppiness_; }
+  const SlopeVariance& slope_variance() const { return slope_variance_; }
   const SeaMaps& maps() const { return maps_; }
   const Underwater& underwater() const { return underwater_; }
   const FoamMap& foam() const { return foam_map_; }
+  const Spray& spray() const { return spray_; }
   const OceanSettings& settings() const { return settings_; }
 
  private:
@@ -120,7 +129,6 @@ class Ocean {
   void bind_surface(const PassContext& context, const SeaIds& sea) const;
   void show_squalls(const std::shared_ptr<const SquallField>& squalls);
   static void unbind_samplers();
-  SurfaceAccess surface_access(const SeaIds& sea, TextureId foam) const;
 
   OceanSettings settings_;
   ShaderLibrary& shaders_;
@@ -144,6 +152,7 @@ class Ocean {
   FoamMap foam_map_;
   FoamLaw foam_law_;
   std::uint64_t shown_ = 0;  ///< counts show()
+  Spray spray_;
   Underwater underwater_;
   int index_count_ = 0;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/clouds/cloud_field.h"
+#include "engine/clouds/lightning.h"
 #include "engine/core/angles.h"
 #include "engine/sky/sky.h"
 #include "game/frame/frame_view.h"
@@ -126,6 +127,7 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
             light_.update(environment.celestial(), environment.haze, pose.position.y,
                           underwater_exposure_ev(world.scene().sea.clarity_m, world.eye_depth())));
   view.clouds = cloud_view(world.scene(), world.environment(), pose.position);
+  view.clouds.flash = flash_now(world.rain(), view.clouds);
   view.exposure = world.scene().exposure;
   view.boat = boat_view(world, pose.position, view.light);
   for (const Afloat& thing : world.flotsam()) {

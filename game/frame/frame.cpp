@@ -135,12 +135,14 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   const TextureId hull = t.boat.add_mask(graph, view.boat, view.frame);
   t.boat.add(graph, view.boat, view.frame, light, hdr, depth);
   t.flotsam.add(graph, view.flotsam, view.frame, light, hdr, depth);
-  const UnderwaterIds under = t.ocean.add_draw(graph, ocean_view(view, t, wet), sea, light, hull,
-                                               hdr, depth, view.sea_visible);
+  const OceanView at_sea = ocean_view(view, t, wet);
+  const UnderwaterIds under =
+      t.ocean.add_draw(graph, at_sea, sea, light, hull, hdr, depth, view.sea_visible);
   t.sky.add_background(graph, view.light, sky, hdr, depth, sky_visible);
   t.gardner.add(graph, gardner, view.light, t.sky, sky, hdr, depth);
   t.clouds.add_picture(graph, clouds, view.clouds, cloud_camera(view), t.sky, sky, hdr, depth,
                        sky_visible, wet != Lens::kSubmerged);
+  t.ocean.add_spray(graph, at_sea, sea, light, hdr, depth, view.sea_visible);
   t.ocean.add_underwater(graph, view.underwater, sea, light, under, hdr);
 
   const BufferId exposure = t.exposure.add(graph, hdr,

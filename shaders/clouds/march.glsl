@@ -101,12 +101,19 @@ float depth_beyond(CloudPlace from, float inside, vec3 p) {
   return clouds.layer.z * from.kind.extinction * rest;
 }
 
+// Lightning inside the cloud. Its air glows in the blue of nitrogen's lines.
+vec3 cloud_flash(CloudPlace place, vec3 p, float g) {
+  float extinction = clouds.layer.z * place.kind.extinction * clamp(place.inside, 0.1, 1.0);
+  float across = max(place.kind.thickness * clouds.form.w, 2500.0);
+  return vec3(0.85, 0.95, 1.35) * clouds.flash.w * cloud_glow(distance(p, clouds.flash.xyz), extinction, across, g);
+}
+
 // Light leaving a place toward the eye, per unit of optical depth: that of a slab as thick as the cloud is
 // along the light's way (lib/cloud_scattering.glsl), less what leaks out across it.
-vec3 cloud_leaving(CloudRay ray, CloudPlace place, float altitude, float to_light, float beyond) {
+vec3 cloud_leaving(CloudRay ray, CloudPlace place, vec3 p, float to_light, float beyond) {
   float x = clamp(place.x, 0.0, 1.0);
   vec3 light = mix(ray.low_light, ray.high_light,
-                   clamp((altitude - clouds.layer.x) / (clouds.layer.y - clouds.layer.x), 0.0, 1.0));
+                   clamp((cloud_altitude(p) - clouds.layer.x) / (clouds.layer.y - clouds.layer.x), 0.0, 1.0));
   float level = clamp(clouds.light_direction.y, 0.0, 1.0);
   float above_light = to_light * clouds.light.x;
   // A heap faces the light, a layer lies flat.
@@ -132,7 +139,9 @@ vec3 cloud_leaving(CloudRay ray, CloudPlace place, float altitude, float to_ligh
   vec3 ambient = cloud_ambient(above, above + below, ray.from_above, ray.from_below, ray.direction.y, ray.g);
   // Near an edge the sky shows from the side as well.
   ambient = mix(0.5 * (ray.from_above + ray.from_below), ambient, clamp(0.4 + 1.5 * place.inside, 0.0, 1.0));
-  return (light * max(sunlit, clouds.light.z * 0.25 / kPhasePi) + ambient) * clouds.light.w;
+  vec3 leaving = light * max(sunlit, clouds.light.z * 0.25 / kPhasePi) + ambient;
+  for (int i = 0; i < int(clouds.flash.w > 0.0); ++i) leaving += cloud_flash(place, p, ray.g);
+  return leaving * clouds.light.w;
 }
 
 // The low clouds, from `near` to `far`. `jitter` 0 … 1 shifts the samples.
@@ -176,7 +185,7 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
     bool shows = share > kShows || (share > 0.0 && weight == 0.0);
     for (int i = 0; i < int(shows); ++i) {
       float to_light = depth_to_light(place, p, footprint, light_steps);
-      source = cloud_leaving(ray, place, cloud_altitude(p), to_light, depth_beyond(place, inside, p));
+      source = cloud_leaving(ray, place, p, to_light, depth_beyond(place, inside, p));
     }
     sight.radiance += share * source;
     weight += share;

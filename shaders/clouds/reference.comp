@@ -56,7 +56,7 @@ void main() {
       CloudPlace place = cloud_place(p);
       float depth = extinction * step_length * clouds.light.y;
       vec3 light = clouds.light_direction.xyz;
-      vec3 source = cloud_leaving(ray, place, cloud_altitude(p), whole_depth(p, light, footprint),
+      vec3 source = cloud_leaving(ray, place, p, whole_depth(p, light, footprint),
                                   whole_depth(p, -light, footprint));
       float share = transmittance * (1.0 - exp(-depth));
       radiance += share * source;

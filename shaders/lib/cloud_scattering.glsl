@@ -105,6 +105,17 @@ vec3 cloud_ambient(float above, float total, vec3 top, vec3 bottom, float mu, fl
   return mix(top, bottom, clamp(share, 0.0, 1.0));
 }
 
+// J per candela of a point of light inside a cloud of this extinction (1/m), from which it is `distance`
+// (m) away: straight from it, and spread out by diffusion, whose light falls off with the distance alone
+// and leaks out of a cloud that is `across` (m) wide as above. Nothing is nearer than a channel's reach.
+float cloud_glow(float distance, float extinction, float across, float g) {
+  const float kNearest = 120.0;
+  float r = sqrt(distance * distance + kNearest * kNearest);
+  float turned_depth = 3.0 * (1.0 - g) * extinction * r;
+  float spread = (exp(-extinction * (1.0 - g) * r) + turned_depth) / (r * r);
+  return 0.25 / kPhasePi * spread * exp(-kPhasePi * r / across);
+}
+
 // ---- Octaves ----------------------------------------------------------------------------------------
 // Wrenninge, Kulla & Lundqvist, "Oz: The Great and Volumetric", SIGGRAPH 2013 Talks, as Mijolovic 2020,
 // eq. 5.3 and 5.4: octave i has its optical depth times a^i, its amount times b^i, its g times c^i.

@@ -5,8 +5,8 @@
 // that variance and the mean 1 stands for it, normal in its logarithm; it is the same for a patch of water
 // of the pixel's size and changes as ripples do, some ten times a second.
 
-const float kGlintsAcross = 65536.0;  // cells of the finest size over the widest square of the foam map
-const float kFinestGlint = 0.05;      // m: that square's width over kGlintsAcross
+const float kGlintsAcross = 2097152.0;  // cells of the finest size over the widest square of the foam map
+const float kFinestGlint = 0.0015625;   // m: that square's width over kGlintsAcross
 const float kGlintRate = 10.0;        // 1/s
 // Mean number of mirroring facets per square metre and unit density of slopes: facets of some 2 cm^2,
 // curved so that each mirrors a cone of .03 sr.
@@ -15,7 +15,7 @@ const float kGlintsPerArea = 20.0;
 // The factor for `q` (m, water at rest, relative to the camera), a pixel of `size` m and the probability
 // density of the mirroring slope.
 float glint(vec2 q, float size, float density, float time) {
-  float level = clamp(floor(log2(size / kFinestGlint) + 0.5), 0.0, 12.0);
+  float level = clamp(floor(log2(size / kFinestGlint) + 0.5), 0.0, 17.0);
   vec2 place = ocean.foam_map[kFoamLayers - 1].xy + q * ocean.foam_map[kFoamLayers - 1].z;
   uvec2 cell = uvec2(ivec2(floor(fract(place) * (kGlintsAcross * exp2(-level)))));
   uint own = (cell.x * 0x9e3779b1u) ^ (cell.y * 0x85ebca77u) ^ (uint(level) * 0xc2b2ae3du);
@@ -30,5 +30,6 @@ float glint(vec2 q, float size, float density, float time) {
                  1.7320508;
   float mean = max(kGlintsPerArea * density * size * size, 0.08);
   float variance = log(1.0 + 1.0 / mean);
-  return exp(sqrt(variance) * normal - 0.5 * variance);
+  // (Its tails are short, which lowers the mean of the exponential: the logarithm of that mean, to v^3.)
+  return exp(sqrt(variance) * normal - variance * (0.5 - variance * (0.0125 - 0.0006 * variance)));
 }

@@ -13,6 +13,7 @@
 #ifdef PICK_LEVELS
 #include "ocean/die.glsl"
 #endif
+#include "ocean/resolved.glsl"
 #include "ocean/foam.glsl"
 #include "ocean/glints.glsl"
 #include "ocean/air.glsl"
@@ -32,50 +33,18 @@ layout(binding = 4) uniform sampler2D horizon_sky;  // see air.frag
 layout(binding = OFFING_UNIT_GUSTS) uniform sampler2D gusts;
 layout(binding = OFFING_UNIT_SQUALLS) uniform sampler2D squalls;
 
-const int kMostBreaking = min(CASCADES, 2);  // cascades whose waves can be long enough to break
 const float kFoamAlbedo = 0.55;  // fresh whitecaps, Koepke 1984
+const float kCrestScatter = 0.034; // 1/sr: light turned toward the eye in a crest
+const float kPlumeAlbedo = 0.12;  // of clouds of bubbles under them (by eye)
 
-struct Surface {
-  vec2 slope;       // mean slope in the pixel, in space
-  vec3 covariance;  // of the slopes within the pixel: xx, zz, xz
-};
-
-// Adds what a cascade has to the derivatives: sx, sz, Dxx, Dzz, and Dxz.
-void add_cascade(int c, vec2 parameter, float size, inout vec4 sum, inout float cross_term) {
-  float level = sea_map_level_log2(c, size);
-  float share = sea_map_share(level);
-  vec3 place = sea_map_place(c, parameter);
-#ifdef PICK_LEVELS
-  level = sea_map_level_picked(level, sea_die());
-#endif
-  sum += share * textureLod(sea_slopes, place, level);
-  // Ripples are too low for their shear to turn a slope.
-  if (c < kMostBreaking) {
-    cross_term += (float(c) < ocean.foam.z ? share : 0.0) *
-                  textureLod(sea_displacement, place, level).w;
-  }
-}
-
-Surface read_surface(vec2 parameter, float footprint) {
-  float size = log2(footprint);
-  vec4 sum = vec4(0.0);
-  float cross_term = 0.0;
-  // One by one, not in a loop, which some compilers leave as it is: constant indices are cheaper.
-  add_cascade(0, parameter, size, sum, cross_term);
-  if (CASCADES > 1) add_cascade(1, parameter, size, sum, cross_term);
-  if (CASCADES > 2) add_cascade(2, parameter, size, sum, cross_term);
-  if (CASCADES > 3) add_cascade(3, parameter, size, sum, cross_term);
-  if (CASCADES > 4) add_cascade(4, parameter, size, sum, cross_term);
-  Surface surface;
-  surface.slope = surface_slope(sum.x, sum.y, sum.z, sum.w, cross_term);
-  // Ripples answer a gust at once, and steeply: their growth goes with the square of the wind's pull
-  // (Plant 1982), so do the cat's paws that sailors look for.
+// Ripples answer a gust at once, and steeply: their growth goes with the square of the wind's pull (Plant
+// 1982), so do the cat's paws that sailors look for. What the wind does to their variance.
+float gustiness(vec2 parameter) {
   float gust = 1.0 + ocean.gust.w * textureLod(gusts, ocean.gust.xy + parameter * ocean.gust.z, 0.0).r;
   for (int i = 0; i < int(ocean.squall.w); ++i) {  // under rain
     gust += textureLod(squalls, ocean.squall.xy + parameter * ocean.squall.z, 0.0).r;
   }
-  surface.covariance = sea_missing(size).xyz * clamp(gust * gust * gust, 0.2, 3.0);
-  return surface;
+  return clamp(gust * gust * gust, 0.2, 3.0);
 }
 
 float variance_along(vec3 covariance, vec2 direction) {
@@ -113,6 +82,7 @@ vec3 sea_radiance(vec4 seen) {
   float height = diffuse_height.w - distance * view.y +
                  distance * distance * dot(view.xz, view.xz) / kTwiceEarthRadius;
   Surface surface = read_surface(parameter, seen.z);
+  surface.covariance *= gustiness(parameter);
 
   vec3 light = light_time.xyz;
   vec3 direct = direct_exposure.rgb * cloud_shadow(-view * distance);
@@ -147,14 +117,20 @@ vec3 sea_radiance(vec4 seen) {
   // Light that has been below.
   vec3 body = ocean.body.rgb * down;
   // Thin water near crests lets light through: the path through it shortens with height above the
-  // troughs, and most of it comes from behind, toward the light.
+  // troughs, and most of it comes from behind, toward the light. Scattered once on the way,
+  // L = E b p s exp(-(a + b) s): b = .2 1/m, p = .1 1/sr at the 40 degrees that it is turned by,
+  // s = 1.7 m (Mobley 1994, ch. 5).
   float steepness = length(surface.slope);
   float crest = clamp(0.5 + height / max(ocean.water.x, 0.3), 0.0, 1.5) *
                 clamp(1.8 * steepness, 0.0, 1.0);
   float away = max(-dot(view.xz, light.xz) - 0.25 * view.y, 0.0);
   float thin = clamp(crest, 0.0, 1.0);
   vec3 through = mix(ocean.crest_thick.rgb, ocean.crest_thin.rgb, thin * thin);
-  body += through * (direct * (0.010 * away * away) + from_sky * 0.006) * crest;
+  body += through * (direct * (kCrestScatter * away * away) + from_sky * 0.006) * crest;
+
+  // Bubbles that breaking water has taken down with it, seen through a metre of water: pale green.
+  Foam foam = sea_foam(parameter, seen.z, surface.jacobian, surface.unresolved);
+  body += down * ocean.crest_thin.rgb * (kPlumeAlbedo / kWaterPi * min(1.3 * foam.plume, 1.0));
 
 #ifdef HULL
   // A hull under the surface, through the water before it and bent by its slope.
@@ -173,10 +149,10 @@ vec3 sea_radiance(vec4 seen) {
   radiance += glitter(surface, view, facets.area, light, direct, parameter, seen.z);
 
   float up = inversesqrt(1.0 + steepness * steepness);
-  vec3 white = kFoamAlbedo / kWaterPi *
-               (direct * max((light.y - dot(surface.slope, light.xz)) * up, 0.0) +
-                from_sky * (0.5 + 0.5 * up));
-  radiance = mix(radiance, white, sea_foam(parameter, seen.z));
+  // Foam is piled up where its lace is dense, and lit from that side.
+  float lit = max((light.y - dot(surface.slope, light.xz)) * up, 0.0) * (1.0 + 0.12 * foam.relief);
+  vec3 white = kFoamAlbedo / kWaterPi * (direct * max(lit, 0.0) + from_sky * (0.5 + 0.5 * up));
+  radiance = mix(radiance, white, foam.opacity);
 
   // Air that fills the view to the horizon looks as the horizon does.
   vec3 clear = exp(-haze.rgb * distance);

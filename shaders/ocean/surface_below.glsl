@@ -10,6 +10,7 @@ struct Underside {
 Underside read_underside(vec2 parameter, float footprint) {
   vec4 sum = vec4(0.0);
   float cross_term = 0.0;
+  vec3 squeeze = vec3(0.0);  // of the breaking waves
   int cascades = int(ocean.water.y);
   for (int c = 0; c < cascades; ++c) {
     float level = sea_map_level(c, footprint);
@@ -18,13 +19,15 @@ Underside read_underside(vec2 parameter, float footprint) {
     vec3 place = sea_map_place(c, parameter);
     sum += share * textureLod(sea_slopes, place, level);
     cross_term += share * textureLod(sea_displacement, place, level).w;
+    if (c < int(ocean.foam.z)) squeeze = vec3(sum.zw, cross_term);
   }
   Underside under;
   under.slope = surface_slope(sum.x, sum.y, sum.z, sum.w, cross_term);
   under.covariance = max(sea_missing(log2(footprint)).xyz, vec3(4.0e-4, 4.0e-4, -1.0));
   float bound = 0.9 * sqrt(under.covariance.x * under.covariance.y);
   under.covariance.z = clamp(under.covariance.z, -bound, bound);
-  under.foam = sea_foam(parameter, footprint);
+  under.foam = sea_foam(parameter, footprint, surface_jacobian(squeeze.x, squeeze.y, squeeze.z),
+                        sea_unresolved(footprint)).opacity;
   return under;
 }
 

@@ -29,10 +29,11 @@ struct CloudData {
   vec4 march;  // x: length of the steps over their usual one; y: diameter of the droplets (um), 0: two lobes; z, w: unused
   vec4 shadow_light;  // xyz: toward the light that the shadow map was made for, not flat; w: unused
   vec4 shadow;    // xy: middle of the shadow map from the camera (x, z; m); z: 1 / its side (1/m); w: its height (m over the sea)
+  vec4 flash;     // xyz: place of the lightning from the camera (m); w: its luminous intensity (cd), 0: none
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(CloudData) == 17 * 16);
+static_assert(sizeof(CloudData) == 18 * 16);
 }  // namespace offing::shared
 #else
 layout(std140, binding = OFFING_BIND_CLOUDS) uniform CloudBlock { CloudData clouds; };

@@ -29,7 +29,8 @@ struct OceanData {
   vec4 foam_map[kFoamLayers];  // x, y: uv of the point below the camera; z: 1 / width (1/m)
   // Foam texture coordinates: foam_grid.xy + (along . q, stretch (along x q)), along = foam_grid.zw.
   vec4 foam_grid;     // x, y: of the point below the camera; z, w: unit along the wind / length
-  vec4 foam_stretch;  // x: length along over length across; y: that times texels per length
+  vec4 foam_stretch;  // x: length along over length across; y: that times texels per length;
+                      // z: size of the foam map's cells (m) a metre away
   vec4 gust;          // x, y: uv of the point below the camera; z: 1 / period (1/m); w: deviation / mean
   vec4 squall;        // x, y: uv of the point below the camera; z: 1 / period (1/m); w: 1 where there are any
   // Water by linear RGB.

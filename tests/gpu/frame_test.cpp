@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "game/render/voyage.h"
 #include "support/gl_test.h"
@@ -113,6 +114,30 @@ TEST_F(Frame, WaterCostsNothingWhileTheLensIsDry) {
     for (const char* name : kWetPasses) EXPECT_EQ(row(name).skipped, 2) << name << " low: " << low;
     EXPECT_EQ(row("sea.draw").ran, 2);
   }
+}
+
+TEST_F(Frame, SprayFliesInAGaleAndCostsNothingInABreeze) {
+  sail({"environment.wind.speed=9"}, 3);
+  EXPECT_EQ(row("sea.spray").skipped, 3);
+  sail({"environment.wind.speed=22"}, 12);
+  EXPECT_EQ(row("sea.spray").ran, 12);
+  const Spray& spray = voyage_->renderer().ocean().spray();
+  std::vector<float> drops(8 * static_cast<std::size_t>(spray.count()));
+  spray.drops().read(drops.data(), drops.size() * sizeof(float));
+  int flying = 0;
+  double downwind = 0.0;
+  for (std::size_t i = 0; i < drops.size(); i += 8) {
+    for (std::size_t j = 0; j < 8; ++j) ASSERT_TRUE(std::isfinite(drops[i + j]));
+    if (drops[i + 7] <= 0.0f) continue;
+    ++flying;
+    EXPECT_LT(std::hypot(drops[i], drops[i + 2]), 300.0f);  // born within 180 m and carried on
+    EXPECT_GT(drops[i + 1], -15.0f);
+    EXPECT_LT(drops[i + 1], 25.0f);
+    downwind += static_cast<double>(std::hypot(drops[i + 4], drops[i + 6]));
+  }
+  EXPECT_GT(flying, spray.count() / 50);
+  EXPECT_LT(flying, spray.count());
+  EXPECT_GT(downwind / flying, 0.3 * 22.0);  // m/s
 }
 
 TEST_F(Frame, UnderWaterNothingIsDrawnOfTheAir) {

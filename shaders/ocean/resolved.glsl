@@ -1,0 +1,48 @@
+// What a pixel shows of the waves, of CASCADES of them, and what it does not. Needs ocean/surface.glsl and
+// lib/water.glsl before it. With PICK_LEVELS a pixel reads one of two map levels, by sea_die().
+
+const int kMostBreaking = min(CASCADES, 2);  // cascades whose waves can be long enough to break
+
+struct Surface {
+  vec2 slope;       // mean slope in the pixel, in space
+  vec3 covariance;  // of the slopes within the pixel: xx, zz, xz
+  float jacobian;   // of the waves that can break
+  float unresolved; // share of its variance within the pixel
+};
+
+// Adds what a cascade has to the derivatives sx, sz, Dxx, Dzz and, for waves that can break, Dxx, Dzz, Dxz.
+void add_cascade(int c, vec2 parameter, float size, inout vec4 sum, inout vec3 squeeze) {
+  float level = sea_map_level_log2(c, size);
+  float share = sea_map_share(level);
+  vec3 place = sea_map_place(c, parameter);
+#ifdef PICK_LEVELS
+  level = sea_map_level_picked(level, sea_die());
+#endif
+  vec4 slopes = share * textureLod(sea_slopes, place, level);
+  sum += slopes;
+  // Ripples are too low for their shear to turn a slope.
+  if (c < kMostBreaking) {
+    float sheared = share * textureLod(sea_displacement, place, level).w;
+    squeeze += float(c) < ocean.foam.z ? vec3(slopes.zw, sheared) : vec3(0.0);
+  }
+}
+
+// `parameter`: the water at rest (m, relative to the camera); `footprint`: m.
+Surface read_surface(vec2 parameter, float footprint) {
+  float size = log2(footprint);
+  vec4 sum = vec4(0.0);
+  vec3 squeeze = vec3(0.0);  // Dxx, Dzz, Dxz
+  // One by one, not in a loop, which some compilers leave as it is: constant indices are cheaper.
+  add_cascade(0, parameter, size, sum, squeeze);
+  if (CASCADES > 1) add_cascade(1, parameter, size, sum, squeeze);
+  if (CASCADES > 2) add_cascade(2, parameter, size, sum, squeeze);
+  if (CASCADES > 3) add_cascade(3, parameter, size, sum, squeeze);
+  if (CASCADES > 4) add_cascade(4, parameter, size, sum, squeeze);
+  Surface surface;
+  surface.slope = surface_slope(sum.x, sum.y, sum.z, sum.w, squeeze.z);
+  surface.jacobian = surface_jacobian(squeeze.x, squeeze.y, squeeze.z);
+  vec4 missing = sea_missing(size);
+  surface.unresolved = missing.w;
+  surface.covariance = missing.xyz;
+  return surface;
+}
