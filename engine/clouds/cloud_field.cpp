@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 
 #include "engine/core/random.h"
@@ -94,6 +95,9 @@ CloudField::CloudField(ShaderLibrary& shaders)
 
 CloudIds CloudField::add(FrameGraph& graph, const CloudView& view, const shared::CloudData& data) {
   lowest_base_ = data.layer.x;
+  const CloudParameters& p = view.parameters;
+  state_ = hash_of(data, view.weather, view.elapsed, view.seed, p.shape_weights, p.detail_weights,
+                   std::hash<std::string>()(p.weather_picture));
   const CloudNoise::Ids noise = noise_.add(graph, view.parameters);
   const WeatherMap::Ids weather =
       weather_.add(graph, noise.weather, view.weather, view.elapsed, view.parameters, view.seed);

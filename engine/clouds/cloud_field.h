@@ -38,6 +38,8 @@ class CloudField {
   CloudNoise& noise() { return noise_; }
   /// Of what was added last, m over the sea.
   double lowest_base() const { return lowest_base_; }
+  /// Another number for every other field, place, moment or light of what was added last.
+  std::uint64_t state() const { return state_; }
 
  private:
   CloudNoise noise_;
@@ -46,6 +48,7 @@ class CloudField {
   gl::Buffer block_;
   PassMemory block_memory_;
   double lowest_base_ = 0.0;
+  std::uint64_t state_ = 0;
 };
 
 /// What density.glsl and the march read of a view and its light.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -85,9 +86,10 @@ std::optional<ProbeClouds> CloudMap::add(FrameGraph& graph, const CloudField& fi
   rows_ = any ? rows_ : glm::ivec2(0);
   if (any) {
     State now;
-    now.weather = hash_of(view.weather, data.layer, data.form, data.box.z, data.box.w, data.light,
-                          data.phase, data.ambient, data.march.y, view.seed, light.haze,
-                          program_.generation(), view.parameters.weather_picture.size());
+    now.weather =
+        hash_of(view.weather, data.layer, data.form, data.box.z, data.box.w, data.light, data.phase,
+                data.ambient, data.march.y, view.seed, light.haze, program_.generation(),
+                std::hash<std::string>()(view.parameters.weather_picture));
     now.air = glm::dvec2(view.eye.x, view.eye.z) - cloud_carried(view, data.layer.w);
     now.light = glm::normalize(glm::dvec3(data.light_direction));
     now.moment = hash_of(now.weather, glm::round(now.air / kWayStep),

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "engine/clouds/lay_over.h"
 #include "engine/core/random.h"
 #include "shaders/shared/bindings.h"
 
@@ -168,9 +169,8 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
   const auto scale = static_cast<float>(quality_.scale);
 
   // While nothing moves two rounds say all there is to say.
-  const std::uint64_t shows =
-      hash_of(camera.clip_from_relative, camera.eye, camera.exposure, carried, view.elapsed,
-              view.weather, camera.size, view.parameters.light_steps, view.parameters.step_scale);
+  const std::uint64_t shows = hash_of(camera.clip_from_relative, camera.eye, camera.exposure,
+                                      camera.size, field.state(), view.parameters.light_steps);
   still_frames_ = shows == shown_ && !cut ? std::min(still_frames_ + 1, 2 * turns) : 0;
   shown_ = shows;
   const bool settled = still_frames_ >= 2 * turns;
@@ -304,27 +304,18 @@ void CloudMarch::add_composite(FrameGraph& graph, const CloudField& field, const
             1.0f / static_cast<float>(quality_.scale) /
             glm::vec2(static_cast<float>(picture.width()), static_cast<float>(picture.height()));
         no_vertices_.bind();
-        glEnable(GL_BLEND);
-        glBlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
-        glDepthMask(GL_FALSE);
+        const LayOver over(from_below ? LayOver::Depth::kCounts : LayOver::Depth::kIgnored);
         if (from_below) {
-          glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-          glEnable(GL_DEPTH_TEST);
-          glDepthFunc(GL_GEQUAL);
           far_program_.use();
           far_program_.program().set(0, 1.0f);
           far_program_.program().set(1, units);
           glDrawArrays(GL_TRIANGLES, 0, kDomeVertices);
         } else {
           context.texture(depth).bind(1);
-          glDisable(GL_DEPTH_TEST);
           all_program_.use();
           all_program_.program().set(1, units);
           glDrawArrays(GL_TRIANGLES, 0, 3);
         }
-        glDisable(GL_BLEND);
-        glDepthMask(GL_TRUE);
-        glBindSampler(0, 0);
       });
 }
 

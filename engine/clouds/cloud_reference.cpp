@@ -86,11 +86,9 @@ CloudSightings CloudReference::path_trace(FrameGraph& graph, const CloudField& f
                                           const CloudIds& ids, const Sky& sky,
                                           const SkyIds& sky_ids, const CloudShadow& shadow,
                                           const CloudShadowIds& shadow_ids, glm::ivec2 size,
-                                          int samples,
-                                          const std::function<bool(int)>& progress) const {
+                                          int samples, int first) const {
   const gl::Texture sum = empty("cloud paths", GL_RGBA32F, size);
   const gl::Texture distance = empty("cloud path lengths", GL_RG32F, size);
-  int done = 0;
   graph.add(
       "clouds.path_trace",
       [&](PassBuilder& pass) {
@@ -106,18 +104,16 @@ CloudSightings CloudReference::path_trace(FrameGraph& graph, const CloudField& f
         sum.bind_image(0, GL_READ_WRITE);
         distance.bind_image(1, GL_READ_WRITE);
         path_program_.use();
-        while (done < samples) {
-          path_program_.program().set(1, glm::ivec2(done, 1));
+        for (int sample = first; sample < first + samples; ++sample) {
+          path_program_.program().set(1, glm::ivec2(sample, 1));
           for_tiles(size, [&](glm::ivec2 corner) { path_program_.program().set(0, corner); });
           glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-          ++done;
-          if (progress && !progress(done)) break;
         }
       });
   graph.execute();
   CloudSightings seen{size, {}, {}};
   const std::vector<float> values = sum.read_floats(4), metres = distance.read_floats(2);
-  const float share = 1.0f / static_cast<float>(std::max(done, 1));
+  const float share = 1.0f / static_cast<float>(std::max(samples, 1));
   for (std::size_t i = 0; i < metres.size() / 2; ++i) {
     seen.light.push_back(
         glm::vec4(values[4 * i], values[4 * i + 1], values[4 * i + 2], values[4 * i + 3]) * share);

@@ -1,7 +1,6 @@
 #pragma once
 #include <glm/vec2.hpp>
 
-#include <functional>
 #include <vector>
 
 #include "engine/clouds/cloud_field.h"
@@ -30,12 +29,11 @@ class CloudReference {
                        const CloudShadowIds& shadow_ids, glm::ivec2 size) const;
 
   /// All orders of scattering by path tracing (see clouds/pathtrace.comp): the mean of `samples`
-  /// paths a pixel, the same for the same count. `progress`, where given, is called after each
-  /// round with the samples done; false ends early.
+  /// paths a pixel, those that follow `first`: the same paths for the same numbers.
   CloudSightings path_trace(FrameGraph& graph, const CloudField& field, const CloudIds& ids,
                             const Sky& sky, const SkyIds& sky_ids, const CloudShadow& shadow,
                             const CloudShadowIds& shadow_ids, glm::ivec2 size, int samples,
-                            const std::function<bool(int)>& progress = {}) const;
+                            int first = 0) const;
 
  private:
   const ShaderProgram& march_program_;

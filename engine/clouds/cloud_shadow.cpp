@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -45,7 +46,8 @@ void CloudShadow::plan(const CloudView& view, shared::CloudData& data) {
   // What makes another field at once, and what only time does.
   const std::uint64_t field =
       hash_of(view.weather, data.form, data.layer, data.box.z, data.wind, data.light.x, view.seed,
-              view.parameters.weather_picture.size());
+              view.parameters.shape_weights, view.parameters.detail_weights,
+              std::hash<std::string>()(view.parameters.weather_picture));
   const glm::dvec3 light_step = glm::round(light * 1000.0);
   const std::uint64_t moment = hash_of(field, light_step, middle, std::floor(view.elapsed / 2.0));
 
@@ -100,8 +102,9 @@ CloudShadowIds CloudShadow::add(FrameGraph& graph, const CloudField& field, cons
         if (into_front_) {
           pass.write(written);
         } else {
-          pass.modify(written, Access::kImage).side_effect();
+          pass.modify(written, Access::kImage);
         }
+        pass.side_effect();  // plan() counts on it, whoever reads it in this frame
         pass.skip_if(view.weather.cover <= 0.0 || rows.y == 0);
       },
       [this, &field, &target, ids, rows, middle, light](const PassContext& context) {

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "engine/clouds/lay_over.h"
 #include "engine/core/random.h"
 #include "shaders/shared/bindings.h"
 
 namespace offing {
 namespace {
 
-constexpr int kShaftSteps = 8, kRainSteps = 16;
+constexpr int kShaftSteps = 12, kRainSteps = 16;
 constexpr double kNearest = 200.0;  // m: what is nearer has no veil before it
 
 GLuint groups(int size) { return static_cast<GLuint>((size + 7) / 8); }
@@ -91,21 +92,13 @@ void CloudVeils::add(FrameGraph& graph, const CloudField& field, const CloudIds&
         pass.skip_if(!wanted);
       },
       [this, far_enough](PassContext&) {
+        const LayOver over;
         smooth_.bind(0);
         linear_.bind(0);
         no_vertices_.bind();
-        glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_GEQUAL);
-        glDepthMask(GL_FALSE);
-        glEnable(GL_BLEND);
-        glBlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
         draw_program_.use();
         draw_program_.program().set(0, far_enough);
         glDrawArrays(GL_TRIANGLES, 0, 3);
-        glDisable(GL_BLEND);
-        glDepthMask(GL_TRUE);
-        glBindSampler(0, 0);
       });
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "engine/clouds/lay_over.h"
 #include "engine/core/angles.h"
 #include "engine/core/random.h"
 #include "shaders/shared/bindings.h"
@@ -191,22 +192,15 @@ void GardnerClouds::add_high(FrameGraph& graph, const GardnerView& view, const S
       },
       [this, &sky, sky_ids](const PassContext& context) {
         sky.bind(context, sky_ids);
+        const LayOver over;
         high_.bind(0);
         linear_.bind(0);
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_GEQUAL);
-        glDepthMask(GL_FALSE);
-        glEnable(GL_BLEND);
-        glBlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
         no_vertices_.bind();
         composite_program_.use();
         composite_program_.program().set(0, 1.0f);
         composite_program_.program().set(
             1, 1.0f / glm::vec2(high_.width() * kHighScale, high_.height() * kHighScale));
         glDrawArrays(GL_TRIANGLES, 0, kDomeVertices);
-        glDisable(GL_BLEND);
-        glDepthMask(GL_TRUE);
-        glBindSampler(0, 0);
       });
 }
 
@@ -234,42 +228,24 @@ void GardnerClouds::add(FrameGraph& graph, const GardnerView& view, const SkyLig
         },
         [this, data](PassContext&) { block_.write(data); });
   }
-  const auto declare = [&](PassBuilder& pass) {
-    sky_ids.read_by(pass);
-    pass.read(block, Access::kUniform)
-        .read(depth, Access::kAttachment)
-        .modify(hdr)
-        .render_to({hdr}, depth);
-  };
-  const auto over_the_sky = [this, &sky, sky_ids](const PassContext& context) {
-    sky.bind(context, sky_ids);
-    block_.bind_uniform(OFFING_BIND_GARDNER);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_GEQUAL);
-    glDepthMask(GL_FALSE);
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
-  };
-  const auto done = [] {
-    glDisable(GL_BLEND);
-    glDepthMask(GL_TRUE);
-  };
   add_high(graph, view, sky, sky_ids, block, hdr, depth, high);
   std::vector<GardnerEllipsoid> cumuli;
   if (heaps) cumuli = gardner_cumuli(view);
   graph.add(
       "clouds.ellipsoids",
       [&](PassBuilder& pass) {
-        declare(pass);
-        pass.skip_if(cumuli.empty());
+        sky_ids.read_by(pass);
+        pass.read(block, Access::kUniform).read(depth, Access::kAttachment).modify(hdr);
+        pass.render_to({hdr}, depth).skip_if(cumuli.empty());
       },
-      [this, over_the_sky, done, cumuli](PassContext& context) {
+      [this, &sky, sky_ids, cumuli](const PassContext& context) {
         ellipsoids_.write(cumuli.data(), cumuli.size() * sizeof(GardnerEllipsoid));
-        over_the_sky(context);
+        sky.bind(context, sky_ids);
+        block_.bind_uniform(OFFING_BIND_GARDNER);
+        const LayOver over;
         ellipsoid_array_.bind();
         ellipsoid_program_.use();
         glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(cumuli.size()));
-        done();
       });
 }
 

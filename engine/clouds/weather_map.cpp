@@ -26,6 +26,18 @@ gl::Texture plane(const char* label, int side) {
   return {label, {.format = GL_RGBA8, .width = side, .height = side}};
 }
 
+Image read_weather_picture(const std::string& file) {
+  constexpr const char* kKey = "clouds.weather_picture";
+  try {
+    Image image = read_image(file);
+    if (image.width <= kLargestPicture && image.height <= kLargestPicture) return image;
+    throw InputError(fmt::format("{}: is {}x{} pixels; keep to {} on a side", file, image.width,
+                                 image.height, kLargestPicture));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{} = {}", kKey, error.what()));
+  }
+}
+
 }  // namespace
 
 double tallest_cloud(const Clouds& weather) {
@@ -46,12 +58,7 @@ void WeatherMap::load_picture(const std::string& file) {
   glm::vec4 channels(0.0f);
   gl::Texture picture = plane("clouds weather picture", 1);
   if (!file.empty()) {
-    const Image image = read_image(file);
-    if (image.width > kLargestPicture || image.height > kLargestPicture) {
-      throw InputError(
-          fmt::format("clouds.weather_picture = {}: {} x {} pixels: must be at most {}", file,
-                      image.width, image.height, kLargestPicture));
-    }
+    const Image image = read_weather_picture(file);
     std::vector<std::uint8_t> texels(static_cast<std::size_t>(image.width) *
                                      static_cast<std::size_t>(image.height) * 4);
     const auto stored = static_cast<std::size_t>(image.channels);

@@ -56,9 +56,11 @@ gl::Texture make_foam_pattern(int size) {
   for (std::size_t rank = 0; rank < count; ++rank) {
     pixels[order[rank]] = static_cast<std::uint8_t>(rank * 256 / count);
   }
-  gl::Texture texture(
-      "sea.foam",
-      {.format = GL_R8, .width = size, .height = size, .levels = gl::full_mip_levels(size, size)});
+  // Floats, because a CPU renderer filters bytes more slowly.
+  gl::Texture texture("sea.foam", {.format = GL_R32F,
+                                   .width = size,
+                                   .height = size,
+                                   .levels = gl::full_mip_levels(size, size)});
   texture.upload(GL_RED, GL_UNSIGNED_BYTE, pixels.data());
   texture.generate_mipmaps();
   return texture;

@@ -6,6 +6,7 @@
 
 #include "engine/core/angles.h"
 #include "engine/environment/gust_field.h"
+#include "engine/gl/debug.h"
 #include "engine/ocean/crossfade.h"
 #include "engine/ocean/fft_moments.h"
 #include "engine/ocean/foam_pattern.h"
@@ -49,6 +50,7 @@ ShaderDefines surface_defines(const OceanSettings& settings, bool hull) {
   ShaderDefines defines{{"CASCADES", std::to_string(settings.cascades)}};
   if (hull) defines.emplace_back("HULL", "");
   if (settings.quality <= 0) defines.emplace_back("PICK_LEVELS", "");
+  if (gl::current_renderer().software) defines.emplace_back("FLAT_OCEAN", "");
   return defines;
 }
 
@@ -83,9 +85,9 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
           shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"}, mesh_defines(settings))),
       two_sided_mesh_program_(shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"},
                                               two_sided(mesh_defines(settings)))),
-      surface_(shaders.program({"post/full_screen.vert", "ocean/surface.frag"},
+      surface_(shaders.program({"ocean/surface.vert", "ocean/surface.frag"},
                                surface_defines(settings, false))),
-      surface_over_hull_(shaders.program({"post/full_screen.vert", "ocean/surface.frag"},
+      surface_over_hull_(shaders.program({"ocean/surface.vert", "ocean/surface.frag"},
                                          surface_defines(settings, true))),
       horizon_(shaders.program({"post/full_screen.vert", "ocean/air.frag"})),
       squares_("sea.squares", kMaxSquares * sizeof(SeaMesh::Square)),
@@ -93,6 +95,7 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
       array_("sea.mesh"),
       no_vertices_("sea.picture"),
       map_sampler_("sea.map", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
+      level_sampler_("sea.level", GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, GL_REPEAT, GL_REPEAT),
       foam_sampler_("sea.foam", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
       line_sampler_("sea.lines", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
       wrap_sampler_("sea.wrapped", GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
@@ -443,12 +446,17 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
         pass.read(sea.displacement).read(sea.slopes).read(above).read(foam).read(horizon);
         if (hull_shows) pass.read(hull).read(dry);
         sky.declare(pass);
-        pass.modify(hdr).render_to({hdr});
+        pass.read(depth, Access::kAttachment).modify(hdr).render_to({hdr}, depth);
         pass.skip_if(nothing_in_view || submerged);
       },
       [this, sea, above, foam, horizon, dry, hull, hull_shows,
        bind_sky = sky.bind](const PassContext& context) {
         bind_surface(context, sea);
+        if (settings_.quality <= 0) {  // whole levels: see sea_map_level_picked()
+          level_sampler_.bind(0);
+          level_sampler_.bind(1);
+          level_sampler_.bind(2);
+        }
         context.texture(above).bind(3);
         context.texture(horizon).bind(4);
         wrap_sampler_.bind(4);
@@ -464,10 +472,14 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
         wrap_sampler_.bind(OFFING_UNIT_FOAM);
         bind_sky(context);
         (hull_shows ? surface_over_hull_ : surface_).use();
-        glDisable(GL_DEPTH_TEST);
+        // Infinitely far away, and only where something is nearer: no work for the sky's pixels.
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LESS);
+        glDepthMask(GL_FALSE);
         glDisable(GL_BLEND);
         no_vertices_.bind();
         glDrawArrays(GL_TRIANGLES, 0, 3);
+        glDisable(GL_DEPTH_TEST);
         unbind_samplers();
       });
   return ids;

@@ -135,7 +135,7 @@ class Ocean {
   const ShaderProgram& horizon_;            ///< the sky's strip
   gl::Buffer vertices_, indices_, squares_, block_;
   gl::VertexArray array_, no_vertices_;
-  gl::Sampler map_sampler_, foam_sampler_;
+  gl::Sampler map_sampler_, level_sampler_, foam_sampler_;
   gl::Sampler line_sampler_, wrap_sampler_;
   gl::Texture foam_;  ///< its pattern
   gl::Texture gusts_, squalls_, roughness_;

@@ -94,7 +94,8 @@ gl::Buffer make_twiddles(int size) {
 
 std::size_t work_bytes(int cascades, int size, int fields) {
   return static_cast<std::size_t>(cascades) * static_cast<std::size_t>(size) *
-         static_cast<std::size_t>(size) / 2 * static_cast<std::size_t>(fields) * 2 * sizeof(float);
+         static_cast<std::size_t>(size) / 2 * static_cast<std::size_t>((fields + 1) / 2) * 4 *
+         sizeof(float);
 }
 
 int groups_for(int lines, int size) {

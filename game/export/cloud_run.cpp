@@ -107,10 +107,10 @@ CloudSightings CloudRun::reference(const FrameView& view) {
                                         ids.shadow, view.size);
 }
 
-CloudSightings CloudRun::path_trace(const FrameView& view, int samples) {
+CloudSightings CloudRun::path_trace(const FrameView& view, int samples, int first) {
   const Ids ids = prepare(view);
   return CloudReference(shaders_).path_trace(graph_, field_, ids.field, sky_, ids.sky, shadow_,
-                                             ids.shadow, view.size, samples);
+                                             ids.shadow, view.size, samples, first);
 }
 
 Image CloudRun::sky(const FrameView& view) {

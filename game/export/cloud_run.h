@@ -22,7 +22,7 @@ class CloudRun {
   CloudSightings marched(const FrameView& view) const;
 
   CloudSightings reference(const FrameView& view);
-  CloudSightings path_trace(const FrameView& view, int samples);
+  CloudSightings path_trace(const FrameView& view, int samples, int first = 0);
 
   /// The sky behind the clouds without discs, cd/m², row 0 on top.
   Image sky(const FrameView& view);

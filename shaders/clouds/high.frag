@@ -72,7 +72,7 @@ void main() {
   vec3 up = normalize(vec3(away.x, kPlanetRadius * 1.0e3, away.y));
   float cosine = dot(toward, up);
   float steep = max(abs(cosine), 0.05);
-  CloudField field = cloud_field(0.5 * depth / steep, depth / steep, steep, kIceG);
+  CloudField field = cloud_field(0.5 * depth / steep, depth / steep, steep, kIceG, 0.0);
   float side = cosine < 0.0 ? -1.0 : 1.0;  // a sun that has set lights it from below
   vec3 light = gardner.light_source.rgb * light_aloft(gardner.high.w, away, toward);
   vec3 source = light * cloud_source(field, ice_phase(angle), angle, side * slant, kIceG);

@@ -111,10 +111,14 @@ vec3 cloud_leaving(CloudRay ray, CloudPlace place, float altitude, float to_ligh
   float above_light = to_light * clouds.light.x;
   // A heap faces the light, a layer lies flat.
   float facing = mix(max(level, 0.1), 1.0, clamp(place.kind.roughness, 0.0, 1.0));
-  CloudField field = cloud_field(above_light, above_light + beyond * clouds.light.x, facing, ray.g);
   // Optical depths down to the base and up to the top.
   float full = clouds.layer.z * place.kind.extinction * clamp(place.inside, 0.05, 1.0) *
                place.kind.thickness * clouds.form.w;
+  // Across the light's way it leaks out of base and top, and a heap's out of its sides as well: it is about
+  // as wide as high.
+  float open = 1.0 - level * level + clamp(place.kind.roughness, 0.0, 1.0);
+  float leak = sqrt(open) * cloud_leak(full, ray.g);
+  CloudField field = cloud_field(above_light, above_light + beyond * clouds.light.x, facing, ray.g, leak);
   float below = full * x, above = full * (1.0 - x);
   // Across the light's way the field leaks out of base and top: a parabola that ends 2/3 of a scaled
   // mean free path beyond either.
@@ -141,6 +145,7 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
   float t = near;
   float before = -1.0;      // the signed field at the last sample, and where that was
   float last = near;
+  vec3 source = vec3(0.0);  // light that leaves the last place that was lit
   t += 0.4 * jitter * max(FINEST, GROWTH * t) * clouds.march.x;
   for (int i = 0; i < STEPS; ++i) {
     // Through empty air cell by cell of the weather.
@@ -156,16 +161,23 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
     CloudPlace place = cloud_place(p);
     float base_step = max(FINEST, GROWTH * t) * clouds.march.x;
     float footprint = pixel * t;
-    // Detail only takes away.
-    float inside = cloud_body(place, p, footprint) - cloud_erosion(place, p, footprint);
+    // Detail only takes away: it counts where there is something to take. (Loops that run once or not at
+    // all in place of branches, of which a CPU renderer runs both sides.)
+    float inside = cloud_body(place, p, footprint);
+    float eroded = 0.5 * kCloudErosion * clouds.form.z;
+    for (int i = 0; i < int(max(inside, before) > 0.0); ++i) eroded = cloud_erosion(place, p, footprint);
+    inside -= eroded;
     // What was skipped is empty: no cloud is spread over it.
     float passed = min(t - last, 4.0 * base_step);
     float depth = clouds.layer.z * place.kind.extinction * cloud_filling(place.x) *
                   cloud_mean_ramp(before, inside, kCloudEdgeWidth) * passed * clouds.light.y;
     float share = sight.transmittance * (1.0 - exp(-depth));
-    // Lit only where it shows.
-    float to_light = depth_to_light(place, p, footprint, share > kShows ? light_steps : 0);
-    vec3 source = cloud_leaving(ray, place, cloud_altitude(p), to_light, depth_beyond(place, inside, p));
+    // Lit only where it shows; what hardly does has the light of the place before.
+    bool shows = share > kShows || (share > 0.0 && weight == 0.0);
+    for (int i = 0; i < int(shows); ++i) {
+      float to_light = depth_to_light(place, p, footprint, light_steps);
+      source = cloud_leaving(ray, place, cloud_altitude(p), to_light, depth_beyond(place, inside, p));
+    }
     sight.radiance += share * source;
     weight += share;
     weighted += share * t;

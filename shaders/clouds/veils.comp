@@ -14,7 +14,7 @@ layout(location = 0) uniform int cell;
 layout(location = 1) uniform vec4 amount;  // shafts; heaviest rain (mm/h); lag of drops over the sea (m)
 layout(location = 2) uniform ivec2 steps;  // along shafts, through rain
 
-const float kShaftReach = 14000.0;  // m: what the shadow map covers
+const float kShaftReach = 45000.0;  // m
 const float kRainReach = 45000.0;
 
 #include "clouds/shafts.glsl"

@@ -29,6 +29,7 @@ const float kFieldTilt = 0.73;   // k
 const float kForwardGain = 1.28;
 const float kForwardRise = 0.18;  // w: light that comes in flat soon finds the way out again
 const float kForwardBlur = 3.0;
+const float kLeastLeak = 5.0e-4;  // as good as none, and no division by 0
 
 struct CloudField {
   float once;     // share of the beam that has not been scattered
@@ -40,8 +41,14 @@ struct CloudField {
 // The light in a cloud at a place with optical depth `above` along the ray to the light, of `total` on
 // the whole ray (before and behind). `cosine` is that of the light with the normal of the slab that the
 // cloud resembles: the sine of the sun's elevation for a layer, 1 for a heap. `g` is the droplets' mean
-// cosine (-.9 to .9).
-CloudField cloud_field(float above, float total, float cosine, float g) {
+// cosine (-.9 to .9). `leak` (below) is 0 for a slab without end to its sides.
+//
+// In optical depths t of the scaled slab Eddington's equations are
+//   dI1/dt = -(k^2 / turned) I0 + (q/c) e^(-t/c)      dI0/dt = -turned I1 + q g' e^(-t/c)
+// with k = 0 in a slab. A cloud that is only so wide loses light through its sides: of its modes across
+// the lowest lives longest, a cosine, and takes k^2 I0 out of the balance. Then
+//   I0 = A e^(-kt) + B e^(-k(t_end - t)) + P e^(-t/c)      P = -q c / (1 - k^2 c^2).
+CloudField cloud_field(float above, float total, float cosine, float g, float leak) {
   float c = max(cosine, 0.02);
   float a = max(above, 0.0);
   float whole = max(total, a);
@@ -50,16 +57,32 @@ CloudField cloud_field(float above, float total, float cosine, float g) {
   float beam = exp(-straight * a);
   float beam_below = exp(-straight * whole);
   float q = 3.0 * c / (4.0 * kPhasePi);
-  // Net flux over 4 pi / 3, and the field's level, from the boundaries above and below.
-  float flux = q * (c * (1.0 - beam_below) + kBeamBoundary * (1.0 + beam_below)) /
-               (2.0 * kMarshak + turned * straight * whole * c);
-  float level = q * (c + kBeamBoundary) - kMarshak * flux;
+  float k = clamp(leak, kLeastLeak, 0.85);
+  float p = -q * c / (1.0 - k * k * c * c);
+  // Nothing comes in from outside but the beam, above and below.
+  float from_top = exp(-k * straight * a * c);
+  float from_end = exp(-k * straight * (whole - a) * c);
+  float across = from_top * from_end;
+  float h = kMarshak * k / turned;
+  float fed = q * kBeamBoundary - (kMarshak / turned) * (q + p / c);
+  float at_top = fed - p, at_end = -beam_below * (fed + p);
+  float into = 1.0 + h, back = across * (1.0 - h);
+  float scale = 1.0 / (into * into - back * back);
+  float top = scale * (into * at_top - back * at_end);
+  float end = scale * (into * at_end - back * at_top);
   CloudField f;
   f.once = exp(-a);
   f.forward = kForwardGain * (1.0 - exp(-c / kForwardRise)) * max(beam - f.once, 0.0);
-  f.mean = max(level - turned * flux * straight * a * c - q * c * beam, 0.0);
-  f.tilt = flux - q * beam;
+  f.mean = max(top * from_top + end * from_end + p * beam, 0.0);
+  float slope = k * (end * from_end - top * from_top) - p / c * beam;  // dI0/dt
+  f.tilt = (q * beam - slope) / turned - q * beam;
   return f;
+}
+
+// k of a cloud that is `width` across, in optical depths: its lowest mode ends 2/3 of a scaled mean free
+// path outside either side.
+float cloud_leak(float width, float g) {
+  return kPhasePi / ((1.0 - g * g) * width + 2.0 * kMarshak * (1.0 + g));
 }
 
 // J / E. `phase` is p at the angle between light and eye, `angle_cosine` its cosine (1: looking into

@@ -11,15 +11,9 @@ layout(local_size_x = kThreads) in;
 
 // h0 real, imaginary; frequency in turns per second as the sum of two floats. [cascade][x][z]
 layout(std430, binding = 0) readonly buffer Modes { vec4 modes[]; };
-layout(std430, binding = 2) writeonly buffer Work { double work[]; };  // [cascade][field][z][stored x]
+layout(std430, binding = 2) writeonly buffer Work { vec4 work[]; };  // [cascade][pair][z][stored x]
 layout(std430, binding = 3) readonly buffer Grids { vec4 grids[]; };  // dk cos, dk sin, c, S
 layout(location = 0) uniform ivec2 time_bits;  // the sea's clock, a double
-
-shared double amplitude[kLines * kStored];
-shared float sideways[kLines * kStored];  // |u| / |k|
-#if FIELDS == 3
-shared vec2 rates[kLines * kStored];
-#endif
 
 // (cos, sin) of 2 pi turns. The whole turns are taken off in double, so that a month of seconds
 // loses nothing; then at most an eighth of a turn is left for the series (error below 2e-9).
@@ -55,72 +49,66 @@ vec2 field_amplitude(int field, float shear, int own) {
   vec2 rate = own_rate[own];
   return field == 0 ? times(vec2(-u.y, u.x), h)
        : field == 1 ? h + times_i(rate)
-                    : times(vec2(-u.y, u.x), rate);
+       : field == 2 ? times(vec2(-u.y, u.x), rate)
+                    : vec2(0.0);
+#endif
+}
+
+vec4 pair_amplitude(int pair, float shear, int own) {
+  return vec4(field_amplitude(2 * pair, shear, own), field_amplitude(2 * pair + 1, shear, own));
+}
+
+void transform_own(int pair, float shear, int space, int n2) {
+#define LOAD(n1) v[n1] = pair_amplitude(pair, shear, (n1) < kOwn ? (n1) : (n1) - kOwn);
+  EACH_OUTER_A(LOAD)
+#undef LOAD
+  first_step(space, n2);
+}
+
+// `place`: of a pair's column in the buffer.
+void finish(int place, int space, int k1) {
+  second_step(space, k1);
+#define STORE(k2) work[place + (k1 + RADIX_A * (k2)) * kStored] = v[SLOT_B(k2)];
+  EACH_B(STORE)
+#undef STORE
+}
+
+// The wave at index n1 RADIX_B + n2 of column x, now.
+#define EVOLVE(n1) evolve((n1) < kOwn ? (n1) : (n1) - kOwn, cascade, x, RADIX_B * (n1) + n2, grid, time);
+void evolve(int own, int cascade, int x, int z, vec4 grid, double time) {
+  int base = cascade * kPoints * kPoints;
+  int mirrored_x = (kPoints - x) & (kPoints - 1), mirrored_z = (kPoints - z) & (kPoints - 1);
+  vec4 mode = modes[base + x * kPoints + z];
+  vec4 mirrored = modes[base + mirrored_x * kPoints + mirrored_z];
+  vec2 p = unit_phase((double(mode.z) + double(mode.w)) * time);
+  vec2 a = times(mode.xy, vec2(p.x, -p.y)), b = times(vec2(mirrored.x, -mirrored.y), p);
+  float w = 2.0 * kWavePi * mode.z;
+  vec2 indices = vec2(x < kPoints / 2 ? x : x - kPoints, z < kPoints / 2 ? z : z - kPoints);
+  float k = length(grid.xy) * length(indices);
+  own_h[own] = a + b;
+  own_k[own] = vec2(grid.x * indices.x - grid.y * indices.y, grid.y * indices.x + grid.x * indices.y);
+  own_u[own] = grid.z * wave_sideways(k, w) / max(k, 1.0e-10) * own_k[own];
+#if FIELDS == 3
+  own_rate[own] = w * vec2(a.y - b.y, b.x - a.x);  // -i w (a - b)
 #endif
 }
 
 void main() {
   int cascade = int(gl_WorkGroupID.y), thread = int(gl_LocalInvocationIndex);
-  int base = cascade * kPoints * kPoints;
-  double time = packDouble2x32(uvec2(time_bits));
-  vec4 grid = grids[cascade];
-
-  for (int i = thread; i < kLines * kStored; i += kThreads) {
-    int column = int(gl_WorkGroupID.x) * kLines + i / kStored, n = i % kStored;
-    int x = column < kPoints / 4 ? column : column + kPoints / 2;
-    int z = n < kPoints / 4 ? n : n + kPoints / 2;
-    int mirrored_x = (kPoints - x) & (kPoints - 1), mirrored_z = (kPoints - z) & (kPoints - 1);
-    vec4 mode = modes[base + x * kPoints + z];
-    vec4 mirrored = modes[base + mirrored_x * kPoints + mirrored_z];
-    vec2 p = unit_phase((double(mode.z) + double(mode.w)) * time);
-    vec2 a = times(mode.xy, vec2(p.x, -p.y)), b = times(vec2(mirrored.x, -mirrored.y), p);
-    float w = 2.0 * kWavePi * mode.z;
-    vec2 indices = vec2(x < kPoints / 2 ? x : x - kPoints, z < kPoints / 2 ? z : z - kPoints);
-    float k = length(grid.xy) * length(indices);
-    amplitude[i] = one_word(a + b);
-    sideways[i] = grid.z * wave_sideways(k, w) / max(k, 1.0e-10);
-#if FIELDS == 3
-    rates[i] = w * vec2(a.y - b.y, b.x - a.x);  // -i w (a - b)
-#endif
-  }
-  barrier();
-
-  int line = thread / kTeam, mate = thread % kTeam;
+  int line = thread / kTeam, n2 = thread % kTeam;
   int column = int(gl_WorkGroupID.x) * kLines + line;
-  float nx = float(column < kPoints / 4 ? column : column - kPoints / 2);
-  for (int n2 = mate; n2 < RADIX_B; n2 += kTeam) {
-    twiddle_powers(n2);
-#define OWN(n1) \
-  { \
-    int n = RADIX_B * (n1) + n2, at = line * kStored + stored(n); \
-    const int own = (n1) < kOwn ? (n1) : (n1) - kOwn; \
-    float nz = float(n < kPoints / 2 ? n : n - kPoints); \
-    own_k[own] = vec2(grid.x * nx - grid.y * nz, grid.y * nx + grid.x * nz); \
-    own_h[own] = two_floats(amplitude[at]); \
-    own_u[own] = sideways[at] * own_k[own]; \
-    OWN_RATE \
-  }
-#if FIELDS == 3
-#define OWN_RATE own_rate[own] = rates[at];
-#else
-#define OWN_RATE
-#endif
-    EACH_OUTER_A(OWN)
-    for (int field = 0; field < kFields; ++field) {
-#define LOAD(n1) v[n1] = field_amplitude(field, grid.w, (n1) < kOwn ? (n1) : (n1) - kOwn);
-      EACH_OUTER_A(LOAD)
-#undef LOAD
-      first_step(exchange_space(line, field), n2);
-    }
-  }
+  int x = column < kPoints / 4 ? column : column + kPoints / 2;
+  vec4 grid = grids[cascade];
+  double time = packDouble2x32(uvec2(time_bits));
+  EACH_OUTER_A(EVOLVE)
+  twiddle_powers(n2);
+  transform_own(0, grid.w, exchange_space(line, 0), n2);
+  transform_own(1, grid.w, exchange_space(line, 1), n2);
   barrier();
-  for (int k1 = mate; k1 < RADIX_A; k1 += kTeam) {
-    for (int field = 0; field < kFields; ++field) {
-      second_step(exchange_space(line, field), k1);
-      int place = (cascade * kFields + field) * kPoints * kStored + column;
-#define STORE(k2) work[place + (k1 + RADIX_A * (k2)) * kStored] = one_word(v[SLOT_B(k2)]);
-      EACH_B(STORE)
-#undef STORE
-    }
-  }
+  int place = cascade * kPairs * kPoints * kStored + column;
+  finish(place, exchange_space(line, 0), n2);
+  if (kTwice) finish(place, exchange_space(line, 0), n2 + kTeam);
+  place += kPoints * kStored;
+  finish(place, exchange_space(line, 1), n2);
+  if (kTwice) finish(place, exchange_space(line, 1), n2 + kTeam);
 }

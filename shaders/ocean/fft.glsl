@@ -5,19 +5,21 @@
 // other; the one exchange between the steps goes through shared memory. Only indices |n| < N/4 carry
 // waves (the bands end at four points per wave), so the first step knows half of its inputs to be
 // zero. Memory is touched as little as can be: on a CPU renderer every lane's access is one of its
-// own. So two floats travel as one 64-bit word; nobody calculates with it.
+// own, whatever its width. So two fields are transformed side by side, as the halves of a vec4. Nor are
+// there loops, in which it would ask of every lane whether it is still at work.
 const int kPoints = RADIX_A * RADIX_B;
-const int kFields = FIELDS;
-const int kTeam = RADIX_A < RADIX_B ? RADIX_A : RADIX_B;  // threads that share a line
+const int kPairs = 2;       // of complex fields; of three the last half is empty
+const int kTeam = RADIX_B;  // threads that share a line: each does one transform of the first step …
+const bool kTwice = RADIX_A > RADIX_B;  // … and one or two of the second
 const int kLines = kPoints > 256 ? 1 : 32 / kTeam;        // lines of a group: as memory allows
 const int kThreads = kTeam * kLines;
 const int kStored = kPoints / 2;  // indices with waves: 0 … N/4-1, then 3N/4 … N-1
 const int kPitch = RADIX_B + 1;   // one column more than needed keeps the banks apart
 
-layout(std430, binding = 1) readonly buffer Twiddles { double twiddles[]; };  // W_N^j, from double
-shared double exchange[kLines * kFields * RADIX_A * kPitch];
+layout(std430, binding = 1) readonly buffer Twiddles { vec2 twiddles[]; };  // W_N^j, from double
+shared vec4 exchange[kLines * kPairs * RADIX_A * kPitch];
 
-vec2 v[RADIX_A > RADIX_B ? RADIX_A : RADIX_B];
+vec4 v[RADIX_A > RADIX_B ? RADIX_A : RADIX_B];
 
 // Written-out loops: v[] must only see constant indices, or it does not stay in registers.
 #define EACH_4(f, o) f(o) f(o + 1) f(o + 2) f(o + 3)
@@ -42,14 +44,14 @@ vec2 v[RADIX_A > RADIX_B ? RADIX_A : RADIX_B];
 #define EACH_B(f) EACH_16(f, 0)
 #endif
 
-double one_word(vec2 a) { return packDouble2x32(floatBitsToUint(a)); }
-vec2 two_floats(double a) { return uintBitsToFloat(unpackDouble2x32(a)); }
-
 vec2 times(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x); }
 vec2 times_i(vec2 a) { return vec2(-a.y, a.x); }
+// Both of a pair.
+vec4 times(vec4 a, vec2 b) { return a * b.x + vec4(-a.y, a.x, -a.w, a.z) * b.y; }
+vec4 times_i(vec4 a) { return vec4(-a.y, a.x, -a.w, a.z); }
 
 void dft4(int a, int b, int c, int d) {
-  vec2 s = v[a] + v[c], t = v[a] - v[c], p = v[b] + v[d], q = times_i(v[b] - v[d]);
+  vec4 s = v[a] + v[c], t = v[a] - v[c], p = v[b] + v[d], q = times_i(v[b] - v[d]);
   v[a] = s + p;
   v[b] = t + q;
   v[c] = s - p;
@@ -59,15 +61,15 @@ void dft4(int a, int b, int c, int d) {
 const float kC1 = 0.92387953251128674;  // cos(pi/8)
 const float kS1 = 0.38268343236508977;
 const float kH = 0.70710678118654752;
-vec2 w16_1(vec2 a) { return times(a, vec2(kC1, kS1)); }
-vec2 w16_2(vec2 a) { return kH * vec2(a.x - a.y, a.x + a.y); }
-vec2 w16_3(vec2 a) { return times(a, vec2(kS1, kC1)); }
-vec2 w16_6(vec2 a) { return kH * vec2(-a.x - a.y, a.x - a.y); }
-vec2 w16_9(vec2 a) { return times(a, vec2(-kC1, -kS1)); }
+vec4 w16_1(vec4 a) { return times(a, vec2(kC1, kS1)); }
+vec4 w16_2(vec4 a) { return kH * (a + times_i(a)); }
+vec4 w16_3(vec4 a) { return times(a, vec2(kS1, kC1)); }
+vec4 w16_6(vec4 a) { return kH * (times_i(a) - a); }
+vec4 w16_9(vec4 a) { return times(a, vec2(-kC1, -kS1)); }
 
 // Results lie in v[] at slot16(k), slot8(k), slot32(k).
 void dft8() {
-#define STEP(n) { vec2 a = v[n], b = v[n + 4]; v[n] = a + b; v[n + 4] = a - b; }
+#define STEP(n) { vec4 a = v[n], b = v[n + 4]; v[n] = a + b; v[n + 4] = a - b; }
   EACH_4(STEP, 0)
 #undef STEP
   v[5] = w16_2(v[5]);
@@ -113,7 +115,7 @@ void dft32() {
       vec2(-0.83146961230254535, 0.55557023301960218), vec2(-kC1, kS1),
       vec2(-0.98078528040323043, 0.19509032201612861));
 #define STEP(n) \
-  { vec2 a = v[n], b = v[n + 16]; v[n] = a + b; v[n + 16] = times(a - b, w32[n]); }
+  { vec4 a = v[n], b = v[n + 16]; v[n] = a + b; v[n + 16] = times(a - b, w32[n]); }
   EACH_16(STEP, 0)
 #undef STEP
   dft16(0);
@@ -140,15 +142,15 @@ int slot32(int k) { return 16 * (k & 1) + slot16(k >> 1); }
 #define SLOT_B slot16
 #endif
 
-// The two steps around the exchange, for one of the group's lines and a field: `space` is their
-// place in it. A caller loads v[n1], n1 outside [A/4, 3A/4), for its n2, and takes X[k1 + A k2] from
+// The two steps around the exchange, for one of the group's lines and a pair of fields: `space` is
+// their place in it. A caller loads v[n1], n1 outside [A/4, 3A/4), for its n2, and takes X[k1 + A k2] from
 // v[SLOT_B(k2)] for its k1.
-int exchange_space(int line, int field) { return (line * kFields + field) * RADIX_A * kPitch; }
+int exchange_space(int line, int pair) { return (line * kPairs + pair) * RADIX_A * kPitch; }
 
 // Powers of one root by products of three at most: rounding grows little, and one load does.
 vec2 w[RADIX_A];
 void twiddle_powers(int n2) {
-  w[1] = two_floats(twiddles[n2]);
+  w[1] = twiddles[n2];
 #define SQUARE(n) w[2 * (n)] = times(w[n], w[n]); w[2 * (n) + 1] = times(w[2 * (n)], w[1]);
   SQUARE(1) SQUARE(2) SQUARE(3)
 #if RADIX_A >= 16
@@ -160,8 +162,8 @@ void twiddle_powers(int n2) {
 #undef SQUARE
 }
 void first_step(int space, int n2) {
-#define CLEAR(n1) v[n1] = vec2(0.0);
-#define STORE(k1) exchange[space + (k1) * kPitch + n2] = one_word(times(v[SLOT_A(k1)], w[k1]));
+#define CLEAR(n1) v[n1] = vec4(0.0);
+#define STORE(k1) exchange[space + (k1) * kPitch + n2] = times(v[SLOT_A(k1)], w[k1]);
   EACH_INNER_A(CLEAR)
   DFT_A();
   w[0] = vec2(1.0, 0.0);
@@ -170,7 +172,7 @@ void first_step(int space, int n2) {
 #undef STORE
 }
 void second_step(int space, int k1) {
-#define LOAD(n2) v[n2] = two_floats(exchange[space + k1 * kPitch + n2]);
+#define LOAD(n2) v[n2] = exchange[space + k1 * kPitch + n2];
   EACH_B(LOAD)
   DFT_B();
 #undef LOAD

@@ -32,7 +32,12 @@ vec2 sea_foam_share(vec2 q, float size) {
 }
 
 // The pattern at a place and a factor of it, less its mean; `fineness`: log2 texels of the pattern itself.
-float foam_lace(vec2 at, float fineness) { return textureLod(foam_pattern, at, fineness).r - 0.5; }
+float foam_lace(vec2 at, float fineness) {
+#ifdef PICK_LEVELS
+  fineness = floor(max(fineness, 0.0) + sea_die());
+#endif
+  return textureLod(foam_pattern, at, fineness).r - 0.5;
+}
 
 // What a pixel of this size (m) sees of it, as an opacity: bubbles and holes near by, torn patches farther
 // out, the mean at last.

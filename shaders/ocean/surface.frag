@@ -7,10 +7,18 @@
 #include "sky/probe.glsl"
 #include "clouds/shadow.glsl"
 #include "ocean/surface.glsl"
+#ifdef PICK_LEVELS
+#include "ocean/die.glsl"
+#endif
 #include "ocean/foam.glsl"
 #include "ocean/glints.glsl"
 #include "ocean/air.glsl"
 
+layout(location = 0) in vec3 way;  // see surface.vert
+layout(location = 1) flat in vec4 light_time;
+layout(location = 2) flat in vec4 direct_exposure;
+layout(location = 3) flat in vec4 diffuse_height;
+layout(location = 4) flat in vec4 haze;
 layout(location = 0) out vec4 colour;
 layout(binding = 3) uniform sampler2D sea_seen;  // see mesh.frag
 #ifdef HULL
@@ -29,31 +37,32 @@ struct Surface {
   vec3 covariance;  // of the slopes within the pixel: xx, zz, xz
 };
 
-// Interleaved gradient noise (Jimenez 2014), even over 0 … 1: neighbouring pixels differ as much as they can.
-float sea_die() {
-  return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+// Adds what a cascade has to the derivatives: sx, sz, Dxx, Dzz, and Dxz.
+void add_cascade(int c, vec2 parameter, float size, inout vec4 sum, inout float cross_term) {
+  float level = sea_map_level_log2(c, size);
+  float share = sea_map_share(level);
+  vec3 place = sea_map_place(c, parameter);
+#ifdef PICK_LEVELS
+  level = sea_map_level_picked(level, sea_die());
+#endif
+  sum += share * textureLod(sea_slopes, place, level);
+  // Ripples are too low for their shear to turn a slope.
+  if (c < kMostBreaking) {
+    cross_term += (float(c) < ocean.foam.z ? share : 0.0) *
+                  textureLod(sea_displacement, place, level).w;
+  }
 }
 
 Surface read_surface(vec2 parameter, float footprint) {
   float size = log2(footprint);
   vec4 sum = vec4(0.0);
   float cross_term = 0.0;
-  // Whole numbers at compile time, and no way out of the loop: a CPU renderer then reads the block once for
-  // all pixels.
-  for (int c = 0; c < CASCADES; ++c) {
-    float level = sea_map_level_log2(c, size);
-    float share = sea_map_share(level);
-    vec3 place = sea_map_place(c, parameter);
-#ifdef PICK_LEVELS
-    level = sea_map_level_picked(level, sea_die());
-#endif
-    sum += share * textureLod(sea_slopes, place, level);
-    // Ripples are too low for their shear to turn a slope.
-    if (c < kMostBreaking) {
-      cross_term += (float(c) < ocean.foam.z ? share : 0.0) *
-                    textureLod(sea_displacement, place, level).w;
-    }
-  }
+  // One by one, not in a loop, which some compilers leave as it is: constant indices are cheaper.
+  add_cascade(0, parameter, size, sum, cross_term);
+  if (CASCADES > 1) add_cascade(1, parameter, size, sum, cross_term);
+  if (CASCADES > 2) add_cascade(2, parameter, size, sum, cross_term);
+  if (CASCADES > 3) add_cascade(3, parameter, size, sum, cross_term);
+  if (CASCADES > 4) add_cascade(4, parameter, size, sum, cross_term);
   Surface surface;
   surface.slope = surface_slope(sum.x, sum.y, sum.z, sum.w, cross_term);
   // Ripples answer a gust at once, and steeply: their growth goes with the square of the wind's pull
@@ -87,7 +96,7 @@ vec3 glitter(Surface surface, vec3 view, float shown_area, vec3 light, vec3 illu
   float reach = level > 0.0 ? visible_share(level, sqrt(variance_along(surface.covariance, light.xz)))
                             : 0.0;
   float ny2 = half_way.y * half_way.y;
-  density *= glint(parameter, size, density, frame.time.x);
+  density *= glint(parameter, size, density, light_time.w);
   return illuminance * (fresnel_water(clamp(cosine, 0.0, 1.0)) * density * reach /
                         (4.0 * max(ny2 * ny2, 1.0e-3) * max(shown_area, 1.0e-3)));
 }
@@ -96,21 +105,15 @@ vec3 glitter(Surface surface, vec3 view, float shown_area, vec3 light, vec3 illu
 vec3 sea_radiance(vec4 seen) {
   vec2 parameter = seen.xy;
   float distance = seen.w;
-  vec4 way = frame.relative_from_clip *
-             vec4(2.0 * gl_FragCoord.xy * frame.viewport.zw - 1.0, 1.0, 1.0);
-  vec3 view = way.xyz * (-inversesqrt(dot(way.xyz, way.xyz)) * sign(way.w));
+  vec3 view = -normalize(way);
   // Above the mean sea level, over the curved earth.
-  float height = frame.camera.y - distance * view.y +
+  float height = diffuse_height.w - distance * view.y +
                  distance * distance * dot(view.xz, view.xz) / kTwiceEarthRadius;
   Surface surface = read_surface(parameter, seen.z);
 
-  float shade = cloud_shadow(-view * distance);
-  vec3 sun = frame.sun_illuminance.rgb, moon = frame.moon_illuminance.rgb;
-  // The brighter of the two lights: while the sun is up the moon is lost in it.
-  bool by_day = sun.g >= moon.g;
-  vec3 light = by_day ? frame.sun_direction.xyz : frame.moon_direction.xyz;
-  vec3 direct = (by_day ? sun : moon) * shade;
-  vec3 from_sky = probe_irradiance(vec3(0.0, 1.0, 0.0));  // clouds included
+  vec3 light = light_time.xyz;
+  vec3 direct = direct_exposure.rgb * cloud_shadow(-view * distance);
+  vec3 from_sky = diffuse_height.rgb;
   vec3 down = from_sky + direct * max(light.y, 0.0);
   vec3 radiance;
 
@@ -153,7 +156,7 @@ vec3 sea_radiance(vec4 seen) {
     vec2 shift = surface.slope * (0.5 * min(water, 1.0) / (frame.camera.w * max(distance, 1.0)));
     ivec2 at = ivec2(clamp(gl_FragCoord.xy + shift, vec2(0.0), frame.viewport.xy - 1.0));
     vec3 lost = exp(-(ocean.absorption.rgb + 12.0 * ocean.backscatter.rgb) * (2.0 * water));
-    body = mix(body, texelFetch(hull, at, 0).rgb / frame.time.z, lost);
+    body = mix(body, texelFetch(hull, at, 0).rgb / direct_exposure.w, lost);
   }
 #endif
 
@@ -168,7 +171,7 @@ vec3 sea_radiance(vec4 seen) {
   radiance = mix(radiance, white, sea_foam(parameter, seen.z));
 
   // Air that fills the view to the horizon looks as the horizon does.
-  vec3 clear = exp(-frame.haze.rgb * distance);
+  vec3 clear = exp(-haze.rgb * distance);
   vec3 horizon = textureLod(horizon_sky, vec2(horizon_place(-view.xz), 0.5), 0.0).rgb;
   radiance = mix(horizon, radiance, clear);
   return max(radiance, vec3(0.0));
@@ -177,5 +180,5 @@ vec3 sea_radiance(vec4 seen) {
 void main() {
   vec4 seen = texelFetch(sea_seen, ivec2(gl_FragCoord.xy), 0);
   if (seen.w <= 0.0) discard;
-  colour = vec4(sea_radiance(seen) * frame.time.z, 1.0);
+  colour = vec4(sea_radiance(seen) * direct_exposure.w, 1.0);
 }

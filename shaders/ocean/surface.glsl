@@ -1,7 +1,11 @@
 // Where the sea's maps are read: by the mesh, by the foam and by the picture of it.
 #include "shared/bindings.h"
 
+#ifdef FLAT_OCEAN  // in the picture of the sea: see surface.vert
+layout(location = 5) flat in OceanData ocean;
+#else
 layout(std140, binding = OFFING_BIND_OCEAN) uniform OceanBlock { OceanData ocean; };
+#endif
 layout(binding = 0) uniform sampler2DArray sea_displacement;  // Dx, h, Dz, Dxz
 layout(binding = 1) uniform sampler2DArray sea_slopes;        // sx, sz, Dxx, Dzz
 // What the maps do not show, by the logarithm of the size over which they are read: covariance of the

@@ -39,6 +39,11 @@ struct OceanData {
   vec4 backscatter;   // rgb: 1/m
 };
 
+#ifdef __cplusplus
+// Besides five of its own the picture's vertex shader may hand on 27 vectors (surface.vert).
+static_assert(sizeof(OceanData) <= 27 * 16);
+#endif
+
 // One step of the foam map.
 struct FoamData {
   vec4 cell[kFoamLayers];   // x: size (m); y: its log2; z, w: where the camera's cell begins, from the camera (m)

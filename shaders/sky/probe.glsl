@@ -12,9 +12,7 @@ layout(binding = OFFING_UNIT_PROBE) uniform sampler2D probe_map;
 layout(std140, binding = OFFING_BIND_PROBE) uniform ProbeBlock { ProbeData probe; };
 
 vec3 probe_read(int level, vec2 units, float below) {
-  // Chosen, not indexed: a CPU renderer reads an array that pixels index each for itself one by one.
-  vec3 place = probe.levels[0].xyz;
-  for (int i = 1; i < kProbeLevels; ++i) place = level >= i ? probe.levels[i].xyz : place;
+  vec3 place = probe.levels[level].xyz;
   vec2 at = place.xy + 0.5 + units * (place.z - 1.0) + vec2(below * place.z, 0.0);
   return textureLod(probe_map, at * probe.texel.xy, 0.0).rgb;
 }

@@ -31,7 +31,7 @@ SlabLight approximate_slab(double depth, double cosine, double g) {
     const double u = (k + 0.5) / kDepths, v = std::min(u, 1.0 - u);  // finest at both faces
     const double at = depth * (u < 0.5 ? 4.0 * v * v * v : 1.0 - 4.0 * v * v * v);
     const double step = depth * 12.0 * v * v / kDepths;
-    const CloudField field = cloud_field(at / cosine, depth / cosine, cosine, g);
+    const CloudField field = cloud_field(at / cosine, depth / cosine, cosine, g, 0.0);
     for (int i = 0; i < kStreams; ++i) {
       const double mu = q.points[static_cast<std::size_t>(i)];
       const double weight = kTau * q.weights[static_cast<std::size_t>(i)] * step / cosine;
@@ -118,8 +118,9 @@ TEST(CloudField, StaysFiniteAndPositive) {
   for (const double g : {-0.9, 0.0, 0.9}) {
     for (const double c : {-1.0, 0.0, 1e-3, 1.0}) {
       for (const double above : {-1.0, 0.0, 1e-4, 1.0, 1e4}) {
-        for (const double total : {0.0, 1.0, 1e5}) {
-          const CloudField f = cloud_field(above, total, c, g);
+        for (const auto& [total, leak] :
+             {std::pair{0.0, 0.0}, {1.0, 0.0}, {1e5, 0.0}, {0.0, 5.0}, {1.0, 0.1}, {1e5, 0.5}}) {
+          const CloudField f = cloud_field(above, total, c, g, leak);
           for (const double angle : {-1.0, 0.0, 1.0}) {
             const double source = cloud_source(f, henyey_greenstein(g, angle), angle, angle, g);
             EXPECT_TRUE(std::isfinite(source) && source >= 0.0)
@@ -129,6 +130,71 @@ TEST(CloudField, StaysFiniteAndPositive) {
       }
     }
   }
+}
+
+/// Diffusion in a scaled slab (depth `end`, beam straight in) that loses k² of its light on the
+/// way, by finite differences: I0 in the middle of each cell. dI1/dt = -(k²/turned) I0 + q e^-t,
+/// dI0/dt = -turned I1 + q g' e^-t, I0 = -2/3 I1 at the top and 2/3 I1 at the end.
+std::vector<double> leaking_slab(double end, double k, double g, int cells) {
+  const double q = 3.0 / (2.0 * kTau), turned = 1.0 / (1.0 + g), step = end / cells;
+  // J = I1 + q e^-t at the faces between cells: J = (q e^-t - I0') / turned, and J' = -(k²/turned)
+  // I0.
+  const double within = k * k * step / turned, between = 1.0 / (turned * step);
+  const double out = 1.0 / (2.0 / 3.0 + 0.5 * turned * step);  // J across half a cell and a face
+  std::vector<double> diagonal, right;
+  for (int i = 0; i < cells; ++i) {
+    const double beam = q * std::exp(-i * step), beam_end = q * std::exp(-(i + 1) * step);
+    double d = within, r = 0.0;
+    if (i > 0) {
+      d += between;
+      r += beam / turned;
+    } else {
+      // At the face I0 = -2/3 J + .68 q; half a cell on, I0 - turned J step / 2 + q step / 2.
+      d += out;
+      r += out * (q * 0.68 + 0.5 * step * beam);
+    }
+    if (i + 1 < cells) {
+      d += between;
+      r -= beam_end / turned;
+    } else {
+      d += out;
+      r -= out * (0.68 * beam_end + 0.5 * step * beam_end);
+    }
+    diagonal.push_back(d);
+    right.push_back(r);
+  }
+  for (int i = 1; i < cells; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double share = -between / diagonal[at - 1];
+    diagonal[at] += share * between;
+    right[at] -= share * right[at - 1];
+  }
+  for (int i = cells - 1; i >= 0; --i) {
+    const auto at = static_cast<std::size_t>(i);
+    right[at] = (right[at] + (i + 1 < cells ? between * right[at + 1] : 0.0)) / diagonal[at];
+  }
+  return right;
+}
+
+TEST(CloudField, SolvesASlabThatLeaks) {
+  constexpr int kCells = 4000;
+  for (const double g : {0.0, 0.6, 0.86}) {
+    for (const double depth : {3.0, 20.0, 80.0}) {
+      for (const double k : {0.02, 0.15, 0.6}) {
+        const double end = (1.0 - g * g) * depth;
+        const std::vector<double> exact = leaking_slab(end, k, g, kCells);
+        for (const int i : {0, 200, 1000, 2500, 3999}) {
+          const double at = (i + 0.5) / kCells;
+          EXPECT_NEAR(cloud_field(at * depth, depth, 1.0, g, k).mean,
+                      std::max(exact[static_cast<std::size_t>(i)], 0.0), 2e-4)
+              << "g " << g << " depth " << depth << " k " << k << " at " << at;
+        }
+      }
+    }
+  }
+  // A wide cloud is a slab, a narrow one keeps nothing.
+  EXPECT_LT(cloud_leak(1e5, 0.86), 1e-3);
+  EXPECT_GT(cloud_leak(0.0, 0.86), 0.85);
 }
 
 TEST(CloudAmbient, KeepsAnEvenLight) {

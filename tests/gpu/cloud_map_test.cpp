@@ -4,29 +4,22 @@
 #include <glm/geometric.hpp>
 
 #include "engine/sky/sky_panorama.h"
-#include "shaders/shared/bindings.h"
-#include "shaders/shared/frame.h"
-#include "support/graph_test.h"
+#include "support/sky_graph_test.h"
 
 namespace offing {
 namespace {
 
-class CloudMapTest : public test::GraphTest {
+class CloudMapTest : public test::SkyGraphTest {
  protected:
   void SetUp() override {
-    GraphTest::SetUp();
+    SkyGraphTest::SetUp();
     if (IsSkipped()) return;
-    sky_ = std::make_unique<Sky>(*shaders_, 0);
     field_ = std::make_unique<CloudField>(*shaders_);
     shadow_ = std::make_unique<CloudShadow>(*shaders_);
     map_ = std::make_unique<CloudMap>(*shaders_, CloudMapSettings::of_quality(0));
     probe_ = std::make_unique<Probe>(*shaders_, ProbeSettings::of_quality(0));
-    frame_ = gl::Buffer("frame", sizeof(shared::FrameData));
     view_.eye = {0.0, 3.0, 0.0};
     view_.elapsed = 100.0;
-    sun_.sun.azimuth_deg = 200.0;
-    sun_.sun.elevation_deg = sun_.sun.elevation_airless_deg = 40.0;
-    sun_.moon.elevation_deg = sun_.moon.elevation_airless_deg = -50.0;
   }
 
   void TearDown() override {
@@ -34,9 +27,7 @@ class CloudMapTest : public test::GraphTest {
     map_.reset();
     shadow_.reset();
     field_.reset();
-    sky_.reset();
-    frame_ = {};
-    GraphTest::TearDown();
+    SkyGraphTest::TearDown();
   }
 
   std::optional<ProbeClouds> add_map(const SkyIds& sky_ids) {
@@ -51,14 +42,7 @@ class CloudMapTest : public test::GraphTest {
   /// One frame of map and probe; the irradiance of a level surface over that of the clear sky.
   float frame() {
     light_ = model_.update(sun_, 0.1, view_.eye.y);
-    shared::FrameData data{};
-    light_.fill(data);
-    data.camera = {0.0f, 3.0f, 0.0f, 1e-3f};
-    data.wind = {-6.0f, 0.0f, 5.0f, 8.0f};
-    frame_.write(data);
-    frame_.bind_uniform(OFFING_BIND_FRAME);
-    graph_->begin_frame();
-    const SkyIds sky_ids = sky_->add_tables(*graph_, light_);
+    const SkyIds sky_ids = begin_frame(light_);
     const auto clouds = add_map(sky_ids);
     const ProbeIds ids = probe_->add(*graph_, light_, 8.0, *sky_, sky_ids, clouds);
     float mean = 0.0f;
@@ -83,26 +67,15 @@ class CloudMapTest : public test::GraphTest {
                         [this](FrameGraph&, const SkyIds& sky_ids) { return add_map(sky_ids); });
   }
 
-  PassReport row(const std::string& name) const {
-    for (const PassReport& r : graph_->report()) {
-      if (r.name == name) return r;
-    }
-    throw std::runtime_error("no pass " + name);
-  }
-
   static double luminance(const glm::dvec3& c) {
     return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722));
   }
 
-  std::unique_ptr<Sky> sky_;
   std::unique_ptr<CloudField> field_;
   std::unique_ptr<CloudShadow> shadow_;
   std::unique_ptr<CloudMap> map_;
   std::unique_ptr<Probe> probe_;
-  gl::Buffer frame_;
-  SkyLightModel model_;
-  SkyLight light_;
-  CelestialState sun_;
+  CelestialState sun_ = test::sun_at(200.0, 40.0);
   CloudView view_;
   TextureId shadow_map_;
 };

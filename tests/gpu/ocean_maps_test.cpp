@@ -187,17 +187,7 @@ TEST_F(OceanMaps, CoarserLevelsAreMeansOfTheirPoints) {
   }
 }
 
-class OceanFrame : public OceanMaps {
- protected:
-  const PassReport& report(const std::string& name) {
-    for (const PassReport& pass : graph_->report()) {
-      if (pass.name == name) return pass;
-    }
-    throw std::runtime_error("no pass " + name);
-  }
-};
-
-TEST_F(OceanFrame, PausedSeaIsCachedAndUnseenSeaIsNotComputed) {
+TEST_F(OceanMaps, PausedSeaIsCachedAndUnseenSeaIsNotComputed) {
   Ocean ocean(*shaders_, {.cascades = 2, .size = 64});
   Environment environment;
   ocean.set_sea({}, environment, 1);
@@ -215,25 +205,25 @@ TEST_F(OceanFrame, PausedSeaIsCachedAndUnseenSeaIsNotComputed) {
   frame(1.0, true, false);
   frame(1.0, true, false);
   frame(1.0, true, false);
-  EXPECT_EQ(report("sea.spectrum").ran, 1);
-  EXPECT_EQ(report("sea.fft").ran, 1);
-  EXPECT_EQ(report("sea.fft").cached, 2);
-  EXPECT_EQ(report("sea.maps").cached, 2);
+  EXPECT_EQ(row("sea.spectrum").ran, 1);
+  EXPECT_EQ(row("sea.fft").ran, 1);
+  EXPECT_EQ(row("sea.fft").cached, 2);
+  EXPECT_EQ(row("sea.maps").cached, 2);
   frame(2.0, true, false);
-  EXPECT_EQ(report("sea.spectrum").ran, 1);
-  EXPECT_EQ(report("sea.fft").ran, 2);
+  EXPECT_EQ(row("sea.spectrum").ran, 1);
+  EXPECT_EQ(row("sea.fft").ran, 2);
   graph_->reset_report();
   frame(3.0, false, false);  // nobody looks
-  EXPECT_EQ(report("sea.fft").ran, 0);
-  EXPECT_EQ(report("sea.fft").culled, 1);
+  EXPECT_EQ(row("sea.fft").ran, 0);
+  EXPECT_EQ(row("sea.fft").culled, 1);
   environment.wind.speed += 2.0;
   ocean.set_sea({}, environment, 1);
   frame(3.0, true, false);
-  EXPECT_EQ(report("sea.spectrum").ran, 1);
-  EXPECT_EQ(report("sea.fft").ran, 1);
+  EXPECT_EQ(row("sea.spectrum").ran, 1);
+  EXPECT_EQ(row("sea.fft").ran, 1);
 }
 
-TEST_F(OceanFrame, EveryLimitGivesFiniteMaps) {
+TEST_F(OceanMaps, EveryLimitGivesFiniteMaps) {
   Ocean ocean(*shaders_, {.cascades = 3, .size = 64});
   Environment environment;
   for (const double wind : {0.0, 60.0}) {

@@ -36,12 +36,6 @@ class OceanSurface : public test::GraphTest {
     }
     return sum / static_cast<double>(count);
   }
-  int ran(const std::string& name) {
-    for (const PassReport& pass : graph_->report()) {
-      if (pass.name == name) return pass.ran;
-    }
-    return -1;
-  }
 };
 
 // The share of the map is the share of the picture's water that the evenly distributed pattern
@@ -103,9 +97,9 @@ TEST_F(OceanSurface, FoamRestsWhileTimeStandsStill) {
   Environment environment;
   ocean.set_sea({}, environment, 3);
   for (int frame = 0; frame < 4; ++frame) foam(ocean, 2.0);
-  EXPECT_EQ(ran("sea.foam"), 1);
+  EXPECT_EQ(row("sea.foam").ran, 1);
   foam(ocean, 2.1);
-  EXPECT_EQ(ran("sea.foam"), 2);
+  EXPECT_EQ(row("sea.foam").ran, 2);
 }
 
 // What a texture unit shows of the waves at a size, at random places, plus what the table says is

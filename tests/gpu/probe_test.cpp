@@ -6,43 +6,27 @@
 #include "engine/core/angles.h"
 #include "engine/environment/calendar.h"
 #include "engine/sky/probe_reference.h"
-#include "shaders/shared/bindings.h"
-#include "support/graph_test.h"
+#include "support/sky_graph_test.h"
 
 namespace offing {
 namespace {
 
-CelestialState sun_at(double azimuth, double elevation) {
-  CelestialState s;
-  s.sun.azimuth_deg = azimuth;
-  s.sun.elevation_deg = s.sun.elevation_airless_deg = elevation;
-  s.moon.elevation_deg = s.moon.elevation_airless_deg = -50.0;
-  return s;
-}
+using test::sun_at;
 
-class ProbeTest : public test::GraphTest {
+class ProbeTest : public test::SkyGraphTest {
  protected:
   void SetUp() override {
-    GraphTest::SetUp();
+    SkyGraphTest::SetUp();
     if (IsSkipped()) return;
-    sky_ = std::make_unique<Sky>(*shaders_, 0);
     probe_ = std::make_unique<Probe>(*shaders_, ProbeSettings::of_quality(0));
     reference_ = std::make_unique<ProbeReference>(*shaders_);
-    frame_ = gl::Buffer("frame", sizeof(shared::FrameData));
   }
 
   /// One frame; the answers to the queries, where there are any.
   std::vector<ProbeAnswer> frame(const CelestialState& celestial,
                                  std::vector<ProbeQuery> queries = {}, int samples = 1) {
     light_ = model_.update(celestial, 0.1, 3.0);
-    shared::FrameData data{};
-    light_.fill(data);
-    data.camera = {0.0f, 3.0f, 0.0f, 1e-3f};
-    data.wind = {-6.0f, 0.0f, 5.0f, 8.0f};
-    frame_.write(data);
-    frame_.bind_uniform(OFFING_BIND_FRAME);
-    graph_->begin_frame();
-    const SkyIds sky = sky_->add_tables(*graph_, light_);
+    const SkyIds sky = begin_frame(light_);
     const ProbeIds ids = probe_->add(*graph_, light_, 8.0, *sky_, sky);
     std::vector<ProbeAnswer> answers;
     graph_->add(
@@ -61,23 +45,14 @@ class ProbeTest : public test::GraphTest {
     return answers;
   }
 
-  PassReport row() const {
-    for (const PassReport& r : graph_->report()) {
-      if (r.name == "sky.probe") return r;
-    }
-    throw std::runtime_error("no probe");
-  }
+  PassReport row() const { return SkyGraphTest::row("sky.probe"); }
 
   static double luminance(const glm::vec3& c) {
     return glm::dot(glm::dvec3(c), glm::dvec3(0.2126, 0.7152, 0.0722));
   }
 
-  std::unique_ptr<Sky> sky_;
   std::unique_ptr<Probe> probe_;
   std::unique_ptr<ProbeReference> reference_;
-  gl::Buffer frame_;
-  SkyLightModel model_;
-  SkyLight light_;
 };
 
 TEST_F(ProbeTest, RoughMirrorsAgreeWithBruteForce) {

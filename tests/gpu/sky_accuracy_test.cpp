@@ -10,7 +10,7 @@
 #include "engine/sky/air_integral.h"
 #include "engine/sky/air_reference.h"
 #include "engine/sky/sky_panorama.h"
-#include "support/graph_test.h"
+#include "support/sky_graph_test.h"
 
 #define OFFING_GLSL "shaders/lib/colour.glsl"
 #include "engine/core/glsl_double.h"
@@ -24,12 +24,11 @@
 namespace offing {
 namespace {
 
-class SkyAccuracy : public test::GraphTest {
+class SkyAccuracy : public test::SkyGraphTest {
  protected:
   void SetUp() override {
-    GraphTest::SetUp();
+    SkyGraphTest::SetUp();
     if (IsSkipped()) return;
-    sky_ = std::make_unique<Sky>(*shaders_, 0);
     stars_ = load_stars(star_file());
     model_ = SkyLightModel(Starlight(stars_, load_milky_way(milky_way_file())));
   }
@@ -47,19 +46,10 @@ class SkyAccuracy : public test::GraphTest {
     return glm::dot(all.level_illuminance(), glm::dvec3(0.2126, 0.7152, 0.0722));
   }
 
-  std::unique_ptr<Sky> sky_;
   std::vector<Star> stars_;
-  SkyLightModel model_;
-  SkyLight light_;
 };
 
-CelestialState sun_at(double elevation) {
-  CelestialState s;
-  s.sun.azimuth_deg = 180.0;
-  s.sun.elevation_deg = s.sun.elevation_airless_deg = elevation;
-  s.moon.elevation_deg = s.moon.elevation_airless_deg = -50.0;
-  return s;
-}
+CelestialState sun_at(double elevation) { return test::sun_at(180.0, elevation); }
 
 TEST_F(SkyAccuracy, TransmittanceAtAllElevationsAndHeights) {
   light_ = model_.update(sun_at(30.0), 0.0, 3.0);

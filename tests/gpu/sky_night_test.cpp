@@ -8,8 +8,7 @@
 #include "engine/environment/calendar.h"
 #include "engine/sky/palette.h"
 #include "engine/sky/sky.h"
-#include "shaders/shared/bindings.h"
-#include "support/graph_test.h"
+#include "support/sky_graph_test.h"
 
 #define OFFING_GLSL "shaders/lib/phase.glsl"
 #include "engine/core/glsl_double.h"
@@ -21,28 +20,14 @@ namespace {
 
 double luminance(glm::dvec3 c) { return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
-glm::dvec3 toward(double azimuth_deg, double elevation_deg) {
-  SkyPosition p;
-  p.azimuth_deg = azimuth_deg;
-  p.elevation_deg = elevation_deg;
-  return p.direction();
-}
+using test::toward;
 
-class SkyNightTest : public test::GraphTest {
+class SkyNightTest : public test::SkyGraphTest {
  protected:
-  void SetUp() override {
-    GraphTest::SetUp();
-    if (IsSkipped()) return;
-    sky_ = std::make_unique<Sky>(*shaders_, 0);
-    frame_ = gl::Buffer("frame", sizeof(shared::FrameData));
-  }
-
   void TearDown() override {
-    sky_.reset();
     hdr_ = {};
     depth_ = {};
-    frame_ = {};
-    GraphTest::TearDown();
+    SkyGraphTest::TearDown();
   }
 
   struct View {
@@ -63,30 +48,14 @@ class SkyNightTest : public test::GraphTest {
       depth_ = gl::Texture(
           "depth", {.format = GL_DEPTH_COMPONENT32F, .width = view.width, .height = view.height});
     }
-    const glm::mat4 turn =
-        glm::lookAt(glm::vec3(0.0f), glm::vec3(view.forward), glm::vec3(upward(view)));
-    const double half = std::tan(radians(view.fov_deg) / 2.0);
-    glm::mat4 clip(0.0f);  // reversed depth, infinitely far
-    clip[0][0] = static_cast<float>(1.0 / half);
-    clip[1][1] = static_cast<float>(view.width / (half * view.height));
-    clip[2][3] = -1.0f;
-    clip[3][2] = 0.1f;
-    shared::FrameData frame{};
-    frame.clip_from_relative = clip * turn;
-    frame.relative_from_clip = glm::inverse(frame.clip_from_relative);
-    frame.viewport = {view.width, view.height, 1.0f / static_cast<float>(view.width),
-                      1.0f / static_cast<float>(view.height)};
-    pixel_ = 2.0 * half / view.width;
-    frame.camera = {0.0f, 3.0f, 0.0f, pixel_};
-    light.fill(frame);
+    shared::FrameData frame =
+        test::camera_toward(view.forward, view.fov_deg, view.width, view.height);
+    pixel_ = 2.0 * std::tan(radians(view.fov_deg) / 2.0) / view.width;
     frame.time.x = static_cast<float>(view.time);
-    frame_.write(frame);
-    frame_.bind_uniform(OFFING_BIND_FRAME);
     const float nothing[4] = {0, 0, 0, 0};
     glClearTexImage(hdr_.id(), 0, GL_RGBA, GL_FLOAT, nothing);
     glClearTexImage(depth_.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, nothing);
-    graph_->begin_frame();
-    const SkyIds ids = sky_->add_tables(*graph_, light);
+    const SkyIds ids = begin_frame(frame, light);
     const TextureId hdr = graph_->import(hdr_);
     sky_->add_background(*graph_, light, ids, hdr, graph_->import(depth_),
                          sky_in_view(frame.relative_from_clip, 3.0));
@@ -128,17 +97,7 @@ class SkyNightTest : public test::GraphTest {
     return lux;
   }
 
-  const PassReport& row(const std::string& name) const {
-    for (const PassReport& r : graph_->report()) {
-      if (r.name == name) return r;
-    }
-    throw std::runtime_error("no pass " + name);
-  }
-
-  std::unique_ptr<Sky> sky_;
   gl::Texture hdr_, depth_;
-  gl::Buffer frame_;
-  SkyLightModel model_;
   double pixel_ = 0.0;
 };
 

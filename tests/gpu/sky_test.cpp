@@ -7,8 +7,7 @@
 
 #include "engine/core/angles.h"
 #include "engine/environment/calendar.h"
-#include "shaders/shared/bindings.h"
-#include "support/graph_test.h"
+#include "support/sky_graph_test.h"
 
 #define OFFING_GLSL "shaders/lib/phase.glsl"
 #include "engine/core/glsl_double.h"
@@ -20,53 +19,32 @@ namespace {
 
 constexpr int kWidth = 160, kHeight = 90;
 
-class SkyTest : public test::GraphTest {
+class SkyTest : public test::SkyGraphTest {
  protected:
   void SetUp() override {
-    GraphTest::SetUp();
+    SkyGraphTest::SetUp();
     if (IsSkipped()) return;
-    sky_ = std::make_unique<Sky>(*shaders_, 0);
     hdr_ = gl::Texture("hdr", {.format = GL_RGBA16F, .width = kWidth, .height = kHeight});
     depth_ =
         gl::Texture("depth", {.format = GL_DEPTH_COMPONENT32F, .width = kWidth, .height = kHeight});
-    frame_ = gl::Buffer("frame", sizeof(shared::FrameData));
   }
 
   void TearDown() override {
-    sky_.reset();
     hdr_ = {};
     depth_ = {};
-    frame_ = {};
-    GraphTest::TearDown();
+    SkyGraphTest::TearDown();
   }
 
   /// One frame toward a direction; the picture's pixels, bottom row first.
   std::vector<float> draw(const CelestialState& celestial, double azimuth_deg, double pitch_deg,
                           double fov_deg, double haze = 0.1) {
     light_ = model_.update(celestial, haze, 3.0);
-    const double a = radians(azimuth_deg), p = radians(pitch_deg);
-    const glm::vec3 forward(
-        glm::dvec3(std::sin(a) * std::cos(p), std::sin(p), -std::cos(a) * std::cos(p)));
-    const glm::mat4 view = glm::lookAt(glm::vec3(0.0f), forward, glm::vec3(0.0f, 1.0f, 0.0f));
-    const auto half = static_cast<float>(std::tan(radians(fov_deg) / 2.0));  // of the width
-    glm::mat4 clip(0.0f);  // reversed depth, infinitely far
-    clip[0][0] = 1.0f / half;
-    clip[1][1] = kWidth / (half * kHeight);
-    clip[2][3] = -1.0f;
-    clip[3][2] = 0.1f;
-    shared::FrameData frame{};
-    frame.clip_from_relative = clip * view;
-    frame.relative_from_clip = glm::inverse(frame.clip_from_relative);
-    frame.viewport = {kWidth, kHeight, 1.0f / kWidth, 1.0f / kHeight};
-    frame.camera = {0.0f, 3.0f, 0.0f, 2.0f * half / kWidth};
-    light_.fill(frame);
-    frame_.write(frame);
-    frame_.bind_uniform(OFFING_BIND_FRAME);
+    const shared::FrameData frame =
+        test::camera_toward(test::toward(azimuth_deg, pitch_deg), fov_deg, kWidth, kHeight);
     const float nothing[4] = {0, 0, 0, 0};
     glClearTexImage(hdr_.id(), 0, GL_RGBA, GL_FLOAT, nothing);
     glClearTexImage(depth_.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, nothing);
-    graph_->begin_frame();
-    const SkyIds ids = sky_->add_tables(*graph_, light_);
+    const SkyIds ids = begin_frame(frame, light_);
     const TextureId hdr = graph_->import(hdr_);
     sky_->add_background(*graph_, light_, ids, hdr, graph_->import(depth_),
                          sky_in_view(frame.relative_from_clip, 3.0));
@@ -76,32 +54,15 @@ class SkyTest : public test::GraphTest {
     return hdr_.read_floats(4);
   }
 
-  const PassReport& row(const std::string& name) const {
-    for (const PassReport& r : graph_->report()) {
-      if (r.name == name) return r;
-    }
-    throw std::runtime_error("no pass " + name);
-  }
-
   static glm::dvec3 pixel(const std::vector<float>& picture, int x, int y) {
     const auto i = static_cast<std::size_t>(4 * (y * kWidth + x));
     return {picture[i], picture[i + 1], picture[i + 2]};
   }
 
-  std::unique_ptr<Sky> sky_;
   gl::Texture hdr_, depth_;
-  gl::Buffer frame_;
-  SkyLightModel model_;
-  SkyLight light_;
 };
 
-CelestialState sun_at(double azimuth, double elevation) {
-  CelestialState s;
-  s.sun.azimuth_deg = azimuth;
-  s.sun.elevation_deg = s.sun.elevation_airless_deg = elevation;
-  s.moon.elevation_deg = s.moon.elevation_airless_deg = -50.0;
-  return s;
-}
+using test::sun_at;
 
 TEST_F(SkyTest, TransmittanceTableHoldsTheIntegral) {
   light_ = model_.update(sun_at(90.0, 30.0), 0.0, 3.0);

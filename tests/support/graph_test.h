@@ -1,5 +1,7 @@
 #pragma once
 #include <memory>
+#include <stdexcept>
+#include <string>
 
 #include "engine/graph/frame_graph.h"
 #include "engine/graph/gl_device.h"
@@ -23,6 +25,14 @@ class GraphTest : public GlTest {
     device_.reset();
     shaders_.reset();
     GlTest::TearDown();
+  }
+
+  /// The report's row of a pass; throws where the graph never had it.
+  const PassReport& row(const std::string& name) const {
+    for (const PassReport& pass : graph_->report()) {
+      if (pass.name == name) return pass;
+    }
+    throw std::runtime_error("no pass " + name);
   }
 
   std::unique_ptr<ShaderLibrary> shaders_;

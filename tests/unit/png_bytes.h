@@ -10,9 +10,10 @@ namespace offing {
 /// uncompressed deflate blocks (RFC 1950, 1951): what our reader reads shares no code with it.
 class PngBytes {
  public:
-  /// `rows` is height × (width × channels) bytes; channels 3 (RGB) or 4 (RGBA).
+  /// `rows` is height × (width × channels) values of 8 or 16 bits (the high byte first); channels:
+  /// 1 grey, 2 with alpha, 3 RGB, 4 RGBA. At most 65535 bytes in all.
   static std::string make(std::uint32_t width, std::uint32_t height, int channels,
-                          std::string_view rows) {
+                          std::string_view rows, int bits = 8) {
     std::string filtered;
     const std::size_t stride = rows.size() / (height ? height : 1);
     for (std::size_t y = 0; y < height && stride > 0; ++y) {
@@ -20,8 +21,8 @@ class PngBytes {
       filtered += rows.substr(y * stride, stride);
     }
     std::string header = big_endian(width) + big_endian(height);
-    header += '\x08';
-    header += channels == 4 ? '\x06' : '\x02';
+    header += static_cast<char>(bits);
+    header += "\x00\x04\x02\x06"[channels - 1];
     header += std::string(3, '\0');
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", stored(filtered)) +
            chunk("IEND", "");
