@@ -38,13 +38,13 @@ constexpr double kSampleShare[] = {0.0, 0.2, 0.4, 0.7, 1.0};
 constexpr int kGlossyLevels = std::size(kSampleShare);
 // Below this level texels within some cells count one by one.
 constexpr int kNearLevels = 8;
-constexpr int kNearCells = 2;
+constexpr int kNearCells = 1;
 constexpr int kCellTexels = 4, kInCell = kCellTexels * kCellTexels;  // as in probe_cell.glsl
 
 // Nanoseconds per texel or cell, and per pair of texel and sample or cell, on a CPU renderer; only
 // their ratios matter.
 constexpr double kCaptureCost = 400.0, kSampleCost = 60.0, kMipCost = 60.0, kCellCost = 150.0,
-                 kPairCost = 5.0, kIrradianceCost = 60.0, kNearPairs = 500.0;
+                 kPairCost = 2.0, kIrradianceCost = 60.0, kNearPairs = 500.0;
 
 std::int64_t steps_of(double value, double step) {
   return static_cast<std::int64_t>(std::llround(value / step));
@@ -57,7 +57,7 @@ std::uint64_t hash_direction(const glm::dvec3& d, double step) {
 }  // namespace
 
 ProbeSettings ProbeSettings::of_quality(int quality) {
-  constexpr ProbeSettings kQualities[] = {{96, 48, 16}, {96, 64, 16}, {144, 64, 16}, {144, 96, 16}};
+  constexpr ProbeSettings kQualities[] = {{96, 48, 24}, {96, 64, 24}, {128, 64, 24}, {128, 96, 24}};
   return kQualities[std::clamp(quality, 0, 3)];
 }
 

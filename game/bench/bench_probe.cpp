@@ -149,7 +149,7 @@ class Stage {
 
 // Size and samples of the probe: what a whole refresh takes, and how far from brute force it ends.
 void bench_probe(const Options& options) {
-  const std::vector<Case> cases = {{48, 48}, {96, 48}, {96, 64}, {144, 64}};
+  const std::vector<Case> cases = {{48, 48}, {96, 48}, {96, 64}, {128, 64}};
   Stage stage;
   nlohmann::ordered_json report;
   report["samples_of_reference"] = kBruteForce;
