@@ -6,7 +6,7 @@
 #include "game/frame/ropes.h"
 
 namespace offing {
-void BoatPass::add_ropes(Frame& out, const BoatView& view, const glm::vec3& down) const {
+void BoatPass::add_ropes(Pose& out, const BoatView& view, const glm::vec3& down) const {
   constexpr float kSheetRadius = 0.007f, kHalyardRadius = 0.005f;
   const auto rope = [&](glm::vec3 a, glm::vec3 b, float length, float radius) {
     add_line(out.lines, hanging_rope(a, b, length, down), radius, rope_material_);
@@ -49,7 +49,7 @@ void BoatPass::add_ropes(Frame& out, const BoatView& view, const glm::vec3& down
   }
 }
 
-void BoatPass::add_telltales(Frame& out, const BoatView& view, const glm::vec3& down,
+void BoatPass::add_telltales(Pose& out, const BoatView& view, const glm::vec3& down,
                              float time) const {
   constexpr float kLength = 0.24f, kThickness = 0.006f, kOff = 0.02f;
   constexpr int kPieces = 4;

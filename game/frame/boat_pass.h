@@ -9,10 +9,10 @@
 #include "engine/gl/program.h"
 #include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
-#include "engine/io/image.h"
 #include "engine/io/model.h"
 #include "engine/ocean/ocean.h"
 #include "engine/shader/shader_library.h"
+#include "game/frame/boat_textures.h"
 #include "game/frame/boat_view.h"
 #include "game/frame/cloth.h"
 #include "game/frame/detail.h"
@@ -26,19 +26,19 @@ namespace offing {
 inline constexpr std::array<std::string_view, 8> kBoatNodeNames = {
     "hull", "deck", "mast", "boom", "mainsail", "jib", "rudder", "flag"};
 
-/// Pictures of the cloth, luff on the left and head at the top: where its colours change (grey, or
-/// red for its port and green for its starboard side), and where there is cloth.
-struct BoatTextures {
-  Image main_alpha, main_pattern, jib_pattern, flag_alpha, flag_pattern;
-};
-
-/// Those of assets/textures. Throws InputError where one is missing.
-BoatTextures load_boat_textures(const std::filesystem::path& folder);
-
 /// Draws the boat: rigid parts with a compact metallic-roughness surface, then sails and flag as
 /// cloth. All of her in one pass; it is skipped while she is out of view.
 class BoatPass {
  public:
+  /// All that changes of her from frame to frame.
+  struct Pose {
+    shared::BoatData boat;
+    std::array<shared::ClothParameters, 3> cloth;
+    bool hoisted;
+    int detail;       ///< index into DetailLevels
+    RigidMesh lines;  ///< ropes and telltales, boat frame
+  };
+
   /// Throws InputError where the model has too many nodes or materials or lacks a required node, or
   /// a shader does not compile.
   BoatPass(ShaderLibrary& shaders, const Model& model, const BoatTextures& textures);
@@ -48,6 +48,12 @@ class BoatPass {
   /// probe and cloud shadow.
   void add(FrameGraph& graph, const BoatView& view, const shared::FrameData& frame,
            const LightAccess& light, TextureId hdr, TextureId depth) const;
+
+  Pose pose(const BoatView& view, const shared::FrameData& frame) const;
+  /// Draws the depth of her opaque parts (ropes and wires left out), or of her cloth, as the light
+  /// of shared::BoatShadowData sees them. First the opaque ones: they bring the boat's block.
+  void cast_opaque(const Pose& pose) const;
+  void cast_cloth(const Pose& pose) const;
 
   /// Whether any of the boat may be on screen.
   bool in_view(const BoatView& view, const shared::FrameData& frame) const;
@@ -75,29 +81,25 @@ class BoatPass {
   struct Cloth {
     int node = -1;
     std::uint32_t first = 0, count = 0;
-    float hoist = 0.0f, foot = 0.0f, head = 0.0f, rise = 0.0f;  ///< outline, m; see SailShade
+    float hoist = 0.0f, foot = 0.0f, head = 0.0f;  ///< outline, m
     glm::vec3 clew{0.0f};
     gl::Texture picture;
   };
-  struct Frame {
-    shared::BoatData boat;
-    std::array<shared::ClothParameters, 3> cloth;
-    bool hoisted;
-    int detail;       ///< index into DetailLevels
-    RigidMesh lines;  ///< ropes and telltales, boat frame
-  };
   enum Sails { kMainsail, kJib, kFlag };
+  /// The node that stands for the boat herself.
+  static constexpr int kStill = shared::kBoatNodes - 1;
+  static constexpr std::size_t kMostLineVertices = 2048;
 
   void build_rigid(ShaderLibrary& shaders, const Model& model);
   void build_cloth(const Model& model, const BoatTextures& textures);
-  Frame pose(const BoatView& view, const shared::FrameData& frame) const;
-  void add_ropes(Frame& out, const BoatView& view, const glm::vec3& down) const;
-  void add_telltales(Frame& out, const BoatView& view, const glm::vec3& down, float time) const;
+  void add_ropes(Pose& out, const BoatView& view, const glm::vec3& down) const;
+  void add_telltales(Pose& out, const BoatView& view, const glm::vec3& down, float time) const;
   /// A turn about the upward axis, radians.
   static glm::mat4 yawed(float angle);
   static glm::vec3 cloth_point(const shared::ClothParameters& p, const Cloth& cloth, float u,
                                float v);
-  void draw(const Frame& frame) const;
+  void draw(const Pose& pose) const;
+  void draw_cloth(const Pose& pose) const;
   void draw_lines(const RigidMesh& lines) const;
 
   struct Node {
@@ -109,12 +111,14 @@ class BoatPass {
   int rope_material_ = 0, windward_material_ = 0, lee_material_ = 0;
   std::array<shared::BoatMaterial, shared::kBoatMaterials> materials_;
   std::vector<Draw> draws_;
-  std::uint32_t mask_first_ = 0, mask_count_ = 0;
+  IndexRange mask_;
   std::vector<glm::vec3> mask_corners_;  ///< of its triangles, in the boat's frame
   std::array<Cloth, 3> cloth_;
   std::vector<gl::Texture> pictures_;
   const ShaderProgram& cloth_program_;
   const ShaderProgram& mask_program_;
+  const ShaderProgram& cast_program_;
+  const ShaderProgram& cast_cloth_program_;
   gl::Buffer vertices_, indices_, cloth_vertices_, cloth_indices_;
   const ShaderProgram* line_program_ = nullptr;
   gl::Buffer line_vertices_, line_indices_;

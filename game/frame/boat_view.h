@@ -4,6 +4,10 @@
 
 namespace offing {
 
+/// A sphere about all of her: masthead, bulb and boom end; boat frame, m.
+inline constexpr glm::vec3 kBoatMiddle{0.0f, 4.9f, 0.0f};
+inline constexpr float kBoatRadius = 7.8f;
+
 /// How one sail stands now.
 struct SailView {
   float angle = 0.0f;  ///< rad, of the chord (the boom) from the centreline, positive to starboard

@@ -19,7 +19,7 @@ shared::ClothParameters common(const ClothStyle& style, double time, int node, f
   out.attached = style.attached;
   out.stream = {0.0f, 0.0f, 1.0f, style.belly_at_foot};
   out.colour_a = {style.colour_a.x, style.colour_a.y, style.colour_a.z, style.through};
-  out.colour_b = {style.colour_b.x, style.colour_b.y, style.colour_b.z, 2.0f};
+  out.colour_b = {style.colour_b.x, style.colour_b.y, style.colour_b.z, 0.0f};
   return out;
 }
 
@@ -64,13 +64,12 @@ ClothStyle flag_style() {
 }
 
 shared::ClothParameters sail_cloth(const ClothStyle& style, const SailView& sail, double time,
-                                   int node, int own_shade) {
+                                   int node) {
   shared::ClothParameters out = common(style, time, node, sail.luff);
   // Cloth does not stretch: a light air already fills most of the belly that a breeze does.
   const float full = sail.fill * 1.25f / (0.25f + std::abs(sail.fill));
   out.belly.x = style.belly_depth * full;
   out.belly.y = style.twist * full;
-  out.colour_b.w = static_cast<float>(own_shade);
   return out;
 }
 

@@ -29,10 +29,9 @@ ClothStyle mainsail_style();
 ClothStyle jib_style();
 ClothStyle flag_style();
 
-/// The shader's parameters of a sail at `time` (s). `own_shade` is its index among the casters of
-/// shade: 0 the mainsail, 1 the jib.
+/// The shader's parameters of a sail at `time` (s).
 shared::ClothParameters sail_cloth(const ClothStyle& style, const SailView& sail, double time,
-                                   int node, int own_shade);
+                                   int node);
 
 /// How a flag on a vertical hoist flies.
 struct FlagPose {

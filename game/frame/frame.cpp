@@ -68,15 +68,17 @@ struct LightIds {
 };
 
 LightAccess light_access(const Techniques& t, const LightIds& ids) {
-  return {[ids](PassBuilder& pass) {
+  return {[&t, ids](PassBuilder& pass) {
             ids.sky.read_by(pass);
             ids.probe.read_by(pass);
             ids.shadow.read_by(pass);
+            t.boat_shadow.read_by(pass);
           },
           [&t, ids](const PassContext& context) {
             t.sky.bind(context, ids.sky);
             t.probe.bind(context, ids.probe);
             t.clouds.shadow().bind(context, ids.shadow);
+            t.boat_shadow.bind();
           }};
 }
 
@@ -97,6 +99,7 @@ Techniques::Techniques(ShaderLibrary& shaders, const Quality& quality,
            load_model(boat_model.empty() ? data_root() / "assets/models/r8/r8.glb" : boat_model,
                       kBoatNodeNames),
            load_boat_textures(data_root() / "assets/textures")),
+      boat_shadow(quality.level),
       flotsam(shaders, load_model(data_root() / "assets/models/flotsam/flotsam.glb", kFlotsam)),
       exposure(shaders),
       bloom(shaders),
@@ -127,6 +130,7 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
       t.clouds.add_map(graph, clouds, view.clouds, view.light, t.sky, sky);
   const ProbeIds probe =
       t.probe.add(graph, view.light, view.frame.wind.w, t.sky, sky, cloud_map, view.probe);
+  t.boat_shadow.add(graph, t.boat, view.boat, view.frame);
   const LightAccess light = light_access(t, {sky, probe, clouds.shadow});
   const SeaIds sea = t.ocean.add_maps(graph, view.sea_time);
   const TextureId hull = t.boat.add_mask(graph, view.boat, view.frame);

@@ -14,6 +14,7 @@
 #include "engine/sky/probe.h"
 #include "engine/sky/sky.h"
 #include "game/frame/boat_pass.h"
+#include "game/frame/boat_shadow.h"
 #include "game/frame/flotsam_pass.h"
 #include "game/frame/frame_view.h"
 #include "game/frame/quality.h"
@@ -32,6 +33,7 @@ struct Techniques {
   Ocean ocean;
   GardnerClouds gardner;
   BoatPass boat;
+  BoatShadow boat_shadow;
   FlotsamPass flotsam;
   Exposure exposure;
   Bloom bloom;

@@ -32,13 +32,11 @@ void main() {
   vec3 n = normalize(surface.normal);
   float facing = dot(n, surface.relative) > 0.0 ? -1.0 : 1.0;
   n *= facing;
-  mat3 boat_from_world = transpose(mat3(boat.relative_from_boat));
-  vec3 in_boat = in_boat_frame(boat_from_world, surface.relative);
   vec3 light = mix(surface.ambient.rgb, surface.behind, facing > 0.0 ? through : 1.0 - through);
   for (int i = first_light(); i < last_light(); ++i) {
     vec3 l = light_direction(i);
     light += light_illuminance(i) * surface.ambient.w * faced(n, l, through) *
-             sail_shade(in_boat, boat_from_world * l, int(cloth.colour_b.w));
+             light_share(i, surface.relative, dot(n, l) > 0.0 ? n : -n);
   }
   vec3 seen = through_air(base / kHalfTurn * light, surface.relative, surface.air);
   radiance = vec4(min(seen * frame.time.z, vec3(6.0e4)), 1.0);

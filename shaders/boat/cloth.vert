@@ -3,12 +3,18 @@
 #include "shared/boat.h"
 #include "shared/cloth.h"
 #include "lib/noise.glsl"
+#include "shared/boat_shadow.h"
+#ifndef SHADOW
 #include "boat/light.glsl"
+#endif
 
 layout(location = 0) in vec3 position;  // flat, in the cloth's frame
 layout(location = 1) in vec2 uv;
 layout(location = 2) in vec4 tangents;  // d(y, z)/du, d(y, z)/dv of the flat cloth, m
 
+#ifdef SHADOW
+out vec2 cloth_uv;
+#else
 out Surface {
   vec3 relative;
   vec3 normal;
@@ -17,6 +23,7 @@ out Surface {
   vec3 behind;   // lux on the other side
   vec3 air;      // cd/m^2
 } surface;
+#endif
 
 // How free the cloth is to move at (u, v).
 float freedom(vec2 at) {
@@ -56,6 +63,13 @@ vec3 place(vec2 at, vec2 flat_at, float chord) {
 void main() {
   float chord = length(tangents.xy);
   vec3 here = place(uv, position.yz, chord);
+  mat4 boat_from_node = boat.boat_from_node[int(cloth.belly.w)];
+  vec4 relative = boat.relative_from_boat * (boat_from_node * vec4(here, 1.0));
+#ifdef SHADOW
+  cloth_uv = uv;
+  vec4 on_map = boat_shadow.map_from_relative * relative;
+  gl_Position = vec4(2.0 * on_map.xy - 1.0, on_map.zw);
+#else
   // Differences toward the middle, so that no edge looks outside the cloth.
   float du = uv.x < 0.5 ? 0.01 : -0.01;
   float dv = uv.y < 0.5 ? 0.01 : -0.01;
@@ -63,9 +77,6 @@ void main() {
   vec3 along_v = (place(uv + vec2(0.0, dv), position.yz + dv * tangents.zw, chord) - here) / dv;
   vec3 normal = normalize(cross(along_v, along_u));
 
-  mat4 boat_from_node = boat.boat_from_node[int(cloth.belly.w)];
-  vec4 in_boat = boat_from_node * vec4(here, 1.0);
-  vec4 relative = boat.relative_from_boat * in_boat;
   surface.relative = relative.xyz;
   surface.normal = mat3(boat.relative_from_boat) * (mat3(boat_from_node) * normal);
   surface.uv = uv;
@@ -74,4 +85,5 @@ void main() {
   surface.behind = ambient_illuminance(-n);
   surface.air = light_of_air(relative.xyz);
   gl_Position = frame.clip_from_relative * relative;
+#endif
 }

@@ -38,13 +38,11 @@ void main() {
 
   vec3 n = normalize(surface.normal);
   vec3 v = -normalize(surface.relative);
-  mat3 boat_from_world = transpose(mat3(boat.relative_from_boat));
-  vec3 in_boat = in_boat_frame(boat_from_world, surface.relative);
 
   vec3 sum = vec3(0.0);
   for (int i = first_light(); i < last_light(); ++i) {
     vec3 l = light_direction(i);
-    sum += light_illuminance(i) * surface.ambient.w * sail_shade(in_boat, boat_from_world * l, -1) *
+    sum += light_illuminance(i) * surface.ambient.w * light_share(i, surface.relative, n) *
            reflected(n, v, l, diffuse, f0, alpha);
   }
 

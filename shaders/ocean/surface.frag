@@ -6,6 +6,9 @@
 #include "lib/water.glsl"
 #include "sky/probe.glsl"
 #include "clouds/shadow.glsl"
+#ifdef HULL_SHADOW
+#include "boat/shadow.glsl"
+#endif
 #include "ocean/surface.glsl"
 #ifdef PICK_LEVELS
 #include "ocean/die.glsl"
@@ -113,6 +116,11 @@ vec3 sea_radiance(vec4 seen) {
 
   vec3 light = light_time.xyz;
   vec3 direct = direct_exposure.rgb * cloud_shadow(-view * distance);
+#ifdef HULL_SHADOW
+  for (int i = 0; i < int(boat_shadow_reaches(boat_shadow_place(-view * distance))); ++i) {
+    direct *= boat_shade(-view * distance);
+  }
+#endif
   vec3 from_sky = diffuse_height.rgb;
   vec3 down = from_sky + direct * max(light.y, 0.0);
   vec3 radiance;

@@ -21,23 +21,14 @@ struct BoatMaterial {
   vec4 emission;     // luminance at night, cd/m^2; w: GGX alpha
 };
 
-// A sail as a shadow caster: flat, between luff and leech. Boat frame.
-struct SailShade {
-  vec4 origin;  // xyz: foot of the luff; w: hoist (m), 0 where there is no sail
-  vec4 luff;    // xyz: unit, up the luff; w: length of the foot along `chord` (m)
-  vec4 chord;   // xyz: unit, square to the luff; w: length of the head (m)
-  vec4 normal;  // xyz: luff × chord; w: rise of the foot per metre of chord
-};
-
 struct BoatData {
   mat4 relative_from_boat;
   mat4 boat_from_node[kBoatNodes];
   BoatMaterial materials[kBoatMaterials];
-  SailShade sails[2];  // mainsail, jib
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(BoatData) == 64 + 64 * kBoatNodes + 32 * kBoatMaterials + 2 * 64);
+static_assert(sizeof(BoatData) == 64 + 64 * kBoatNodes + 32 * kBoatMaterials);
 }  // namespace offing::shared
 #else
 #include "shared/bindings.h"

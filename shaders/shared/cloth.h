@@ -14,7 +14,7 @@ struct ClothParameters {
   vec4 attached;         // how firmly each edge is held, 0 free … 1 fixed: luff, leech, foot, head
   vec4 stream;           // xyz: unit, where the cloth's chord points in its frame (0, 0, 1 for a sail); w: share of the belly left at the foot
   vec4 colour_a;         // rgb: linear, where the pattern is 0; w: share of light let through
-  vec4 colour_b;         // rgb: linear, where the pattern is 1; w: 0 mainsail, 1 jib, 2 neither: whose shadow is its own
+  vec4 colour_b;         // rgb: linear, where the pattern is 1; w: unused
 };
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-#include "game/frame/boat_pass.h"
+#include "game/frame/boat_shadow.h"
 
 #include <gtest/gtest.h>
 
@@ -19,6 +19,8 @@ namespace {
 constexpr int kWidth = 160, kHeight = 120;
 constexpr float kFieldOfView = 0.8f;
 constexpr float kBackground = 0.25f;
+constexpr int kShadowQuality = 1;
+constexpr float kMast = -0.6f;  // m abaft amidships: the axis of the mast, 15 cm thick
 
 /// A picture of the boat, row 0 at the bottom.
 struct Picture {
@@ -44,6 +46,7 @@ class BoatPicture : public test::GlTest {
     pass_.emplace(*shaders_, model, load_boat_textures(data_root() / "assets/textures"));
     device_.emplace();
     light_.emplace();
+    shadow_.emplace(kShadowQuality);
     graph_.emplace(*device_);
     hdr_ = gl::Texture("hdr", {.format = GL_RGBA16F, .width = kWidth, .height = kHeight});
     depth_ =
@@ -90,7 +93,14 @@ class BoatPicture : public test::GlTest {
           glClearBufferfv(GL_COLOR, 0, colour);
           glClearBufferfv(GL_DEPTH, 0, &far);
         });
-    pass_->add(*graph_, view, frame_, light_->access(), hdr, depth);
+    shadow_->add(*graph_, *pass_, view, frame_);
+    const LightAccess even = light_->access();
+    const LightAccess light{[&](PassBuilder& pass) { shadow_->read_by(pass); },
+                            [&](const PassContext& context) {
+                              even.bind(context);
+                              shadow_->bind();
+                            }};
+    pass_->add(*graph_, view, frame_, light, hdr, depth);
     TextureId mask;
     if (with_mask) mask = pass_->add_mask(*graph_, view, frame_);
     graph_->add(
@@ -139,6 +149,7 @@ class BoatPicture : public test::GlTest {
   std::optional<GlDevice> device_;
   std::optional<FrameGraph> graph_;
   std::optional<test::EvenLight> light_;
+  std::optional<BoatShadow> shadow_;
   gl::Texture hdr_, depth_;
   gl::Buffer block_;
   shared::FrameData frame_{};
@@ -219,6 +230,81 @@ TEST_F(BoatPicture, SailsGlowWhenTheSunIsBehindThem) {
   EXPECT_GT(behind, 1.5f * sunless);
 }
 
+// In the sun from starboard, 45 degrees high: a point of the sea as far to port of the centreline
+// as a part of the mast is high lies in its shadow; a metre before and abaft it there is light.
+TEST_F(BoatPicture, TheMastThrowsItsShadowWhereGeometryPutsIt) {
+  const float half = std::sqrt(0.5f);
+  frame_.sun_direction = {half, half, 0.0f, 1.0f};
+  BoatView view;
+  view.hoisted = false;
+  draw(view);
+  const gl::Texture& map = shadow_->map();
+  std::vector<float> depth(static_cast<std::size_t>(map.width()) * map.height());
+  glGetTextureImage(map.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                    static_cast<GLsizei>(depth.size() * sizeof(float)), depth.data());
+  view.position = -eye_;
+  const shared::BoatShadowData data = boat_shadow_data(view, frame_, map.height(), 1);
+  const auto lit = [&](const glm::vec3& place) {
+    const glm::vec4 at = data.map_from_relative * glm::vec4(place - eye_, 1.0f);
+    if (std::max(std::abs(at.x - 0.5f), std::abs(at.y - 0.5f)) >= 0.5f) return true;
+    const auto column = static_cast<std::size_t>(at.x * static_cast<float>(map.height()));
+    const auto row = static_cast<std::size_t>(at.y * static_cast<float>(map.height()));
+    return std::min(at.z, 1.0f) <= depth[row * static_cast<std::size_t>(map.width()) + column];
+  };
+  for (const float height : {5.0f, 7.5f, 10.0f}) {
+    int dark = 0;
+    for (const float off : {-0.05f, 0.0f, 0.05f}) dark += !lit({-height, 0.0f, kMast + off});
+    EXPECT_GE(dark, 2) << height;
+    EXPECT_TRUE(lit({-height, 0.0f, kMast + 1.0f})) << height;
+    EXPECT_TRUE(lit({-height, 0.0f, kMast - 1.0f})) << height;
+    EXPECT_TRUE(lit({height, 0.0f, kMast})) << height;  // toward the sun
+  }
+}
+
+// Of the deck to leeward of the mainsail, in the sun from starboard: the sail takes away all of the
+// direct light but the share that cloth lets through.
+TEST_F(BoatPicture, TheSailsShadowIsAsDarkAsItsCloth) {
+  look_down();
+  const float up = std::sin(1.05f);
+  frame_.sun_direction = {std::sqrt(1.0f - up * up), up, 0.0f, 1.0f};
+  const auto deck = [&](bool hoisted) {
+    BoatView view;
+    view.hoisted = hoisted;
+    const Picture picture = draw(view);
+    float sum = 0.0f;
+    int count = 0;
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const glm::vec4 clip(2.0f * (static_cast<float>(x) + 0.5f) / kWidth - 1.0f,
+                             2.0f * (static_cast<float>(y) + 0.5f) / kHeight - 1.0f,
+                             picture.depth_at(x, y), 1.0f);
+        const glm::vec4 relative = frame_.relative_from_clip * clip;
+        const glm::vec3 place = glm::vec3(relative) / relative.w + eye_;
+        if (place.y > 1.3f || place.x < -0.95f || place.x > -0.75f) continue;
+        if (place.z < 0.2f || place.z > 1.2f) continue;
+        sum += picture.luminance(x, y);
+        ++count;
+      }
+    }
+    EXPECT_GT(count, 10);
+    return sum / static_cast<float>(count);
+  };
+  const float shaded = deck(true), sunny = deck(false);
+  frame_.sun_illuminance = glm::vec4(0.0f);
+  const float dark = deck(false);
+  EXPECT_GT(sunny, 2.0f * dark);
+  EXPECT_NEAR((shaded - dark) / (sunny - dark), mainsail_style().through, 0.03f);
+}
+
+TEST_F(BoatPicture, WithoutALightThereIsNoShadowToDraw) {
+  frame_.sun_illuminance = frame_.moon_illuminance = glm::vec4(0.0f);
+  graph_->reset_report();
+  draw(BoatView{});
+  for (const PassReport& pass : graph_->report()) {
+    EXPECT_EQ(pass.skipped, pass.name == "boat.shadow") << pass.name;
+  }
+}
+
 TEST_F(BoatPicture, IsSkippedOutOfView) {
   look({0.0f, 5.0f, 40.0f}, {0.0f, 5.0f, 80.0f}, {0.0f, 1.0f, 0.0f});
   graph_->reset_report();
@@ -262,8 +348,8 @@ TEST(Cloth, ClockTicksAndSidesMirror) {
   ClothStyle style = mainsail_style();
   style.time_step = 0.5f;
   const SailView starboard{0.1f, 0.7f, 0.2f}, port{-0.1f, -0.7f, 0.2f};
-  const auto a = sail_cloth(style, starboard, 3.1, 4, 0);
-  const auto b = sail_cloth(style, port, 3.4, 4, 0);
+  const auto a = sail_cloth(style, starboard, 3.1, 4);
+  const auto b = sail_cloth(style, port, 3.4, 4);
   EXPECT_EQ(a.clock.x, 3.0f);
   EXPECT_EQ(b.clock.x, 3.0f);
   EXPECT_EQ(a.belly.x, -b.belly.x);

@@ -30,7 +30,6 @@ class GlTest : public ::testing::Test {
     if (debug_ == nullptr) return;
     for (const auto& message : debug_->messages()) ADD_FAILURE() << message.text;
     debug_.reset();
-    context_.reset();
   }
 
   gl::DebugLog& debug() { return *debug_; }
