@@ -60,7 +60,7 @@ TEST_F(ProbeTest, RoughMirrorsAgreeWithBruteForce) {
   // The first frame is whole. Most of these lie between two levels of the map.
   for (const double elevation : {50.0, -4.0}) {
     for (const float roughness : {0.0f, 0.07f, 0.1f, 0.15f, 0.2f, 0.3f, 0.4f, 0.6f, 0.8f, 1.0f}) {
-      const auto answers = frame(sun_at(240.0, elevation), queries_all_round(128, roughness),
+      const auto answers = frame(sun_at(240.0, elevation), queries_all_round(256, roughness),
                                  roughness == 0.0f ? 1 : 4096);
       EXPECT_LT(relative_rms(answers), 0.02) << elevation << " " << roughness;
     }
@@ -121,7 +121,10 @@ TEST_F(ProbeTest, SwitchedOffItShowsThePlainSky) {
   on_ = false;
   const auto off = frame(state, queries, 256);  // a switch is a leap: shown at once
   const double sky = luminance(off[0].reference);
-  for (const int i : {0, 1, 2}) EXPECT_NEAR(luminance(off[i].probe) / sky, 1.0, 0.02) << i;
+  // The roughest level has 16 texels a side, with straight lines between them: 3 % here.
+  for (const int i : {0, 1, 2}) {
+    EXPECT_NEAR(luminance(off[i].probe) / sky, 1.0, i < 2 ? 0.02 : 0.04) << i;
+  }
   EXPECT_GT(std::abs(luminance(on[2].probe) / sky - 1.0), 0.1);
   EXPECT_NEAR(luminance(off[3].probe) / luminance(glm::vec3(light_.sky_illuminance)), 1.0, 0.01);
   on_ = true;
