@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Makes the pictures of engine/sky/README.md: docs/pictures/make_sky.sh [day|night|discs]. Some minutes
+# Makes the pictures of engine/sky/README.md: docs/pictures/make_sky.sh [day|night|discs|probe]. Some minutes
 # without a GPU. Needs ImageMagick's montage.
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.."
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
-wanted=${1:-day night discs}
+wanted=${1:-day night discs probe}
 
 # shot NAME SIZE DATE TIME AZIMUTH ELEVATION FOV [option...]: from a boat-less place at sea.
 shot() {
@@ -44,4 +44,15 @@ if [[ $wanted == *discs* ]]; then
   shot disc4 240x135 2026-08-28 04:12 237.52 16.97 1.2                     # in the earth's shadow
   shot disc5 240x135 2026-08-12 19:38 290.82 0.24 2 --set exposure.bloom=0.02 --set exposure.ev=-2  # the setting sun, flattened
   montage "$work"/disc[0-5].png -tile 3x2 -geometry +2+2 docs/pictures/sky-discs.png
+fi
+if [[ $wanted == *probe* ]]; then
+  # Without the probe and with it: a hazy sky under cumulus, and a low sun.
+  for i in 0 1; do
+    probe=$([[ $i == 0 ]] && echo false || echo true)
+    for time in 15:00 19:00; do
+      ./offing render --scene default --out "$work/probe-$time-$i.png" --size 480x270 --quality medium --frames 1 --warmup 4 \
+        --set sky.probe="$probe" --set environment.time="$time" --set environment.clouds.cover=0.6
+    done
+  done
+  montage "$work"/probe-15:00-[01].png "$work"/probe-19:00-[01].png -tile 2x2 -geometry +2+2 docs/pictures/sky-probe.png
 fi

@@ -252,7 +252,10 @@ void SkyLook::describe(FieldTable& table) {
               "painted sky: off, as a grade over the physical one, or instead of it")
       .text("palette", palette, "palette of the painted sky: a name in assets/palettes or a file",
             check)
-      .number("palette_strength", strength, {0.0, 1.0}, "", "strength of the grade");
+      .number("palette_strength", strength, {0.0, 1.0}, "", "strength of the grade")
+      .flag(
+          "probe", probe,
+          "reflection probe; off: sea and boat mirror the plain sky, without clouds or roughness");
 }
 
 }  // namespace offing

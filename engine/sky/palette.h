@@ -44,11 +44,12 @@ double solar_hour(double utc_seconds, double longitude_deg);
 /// it, and the horizon cuts it off.
 void apply_palette(SkyLight& light, const PaletteFrame& now, PaletteMode mode, double strength);
 
-/// The scene keys sky.*, and the palette that they name.
+/// The scene keys sky.*: the painted sky, and whether the probe is used.
 struct SkyLook {
   int mode = 0;  ///< PaletteMode
   std::string palette = "day";
   double strength = 0.7;
+  bool probe = true;
   void describe(FieldTable& table);
 };
 

@@ -10,7 +10,11 @@
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/probe.h"
 
+#define OFFING_GLSL "shaders/lib/phase.glsl"
+#include "engine/core/glsl_double.h"
 #define OFFING_GLSL "shaders/lib/probe.glsl"
+#include "engine/core/glsl_double.h"
+#define OFFING_GLSL "shaders/lib/scattering.glsl"
 #include "engine/core/glsl_double.h"
 
 namespace offing {
@@ -27,17 +31,20 @@ constexpr double kLeapAngle = 0.026, kLeapHaze = 0.02, kLeapHeight = 0.25;
 // Steps that start another generation.
 constexpr double kAngleStep = 1e-4, kHeightStep = 0.02, kLightStep = 1e-3, kWindStep = 0.25;
 
-// Texels per side of a level over those of level 0, in 32nds.
-constexpr int kSides[kProbeLevels] = {32, 22, 22, 22, 20, 18, 14, 12, 8, 6};
+// Texels per side of a level over those of level 0, in 48ths.
+constexpr int kSides[kProbeLevels] = {48, 33, 33, 33, 33, 30, 24, 20, 16, 14, 12, 10, 9, 8};
 // Of the settings' samples: a narrow lobe needs few. Wider ones than these are sums over cells.
-constexpr double kSampleShare[] = {0.0, 0.25, 0.5, 1.0, 1.0, 1.0};
+constexpr double kSampleShare[] = {0.0, 0.2, 0.4, 0.7, 1.0};
 constexpr int kGlossyLevels = std::size(kSampleShare);
-constexpr int kCellTexels = 4;  // per side of a cell
+// Below this level texels within some cells count one by one.
+constexpr int kNearLevels = 8;
+constexpr int kNearCells = 1;
+constexpr int kCellTexels = 4, kInCell = kCellTexels * kCellTexels;  // as in probe_cell.glsl
 
 // Nanoseconds per texel or cell, and per pair of texel and sample or cell, on a CPU renderer; only
 // their ratios matter.
 constexpr double kCaptureCost = 400.0, kSampleCost = 60.0, kMipCost = 60.0, kCellCost = 150.0,
-                 kPairCost = 1.0, kIrradianceCost = 60.0;
+                 kPairCost = 2.0, kIrradianceCost = 60.0, kNearPairs = 500.0;
 
 std::int64_t steps_of(double value, double step) {
   return static_cast<std::int64_t>(std::llround(value / step));
@@ -50,8 +57,7 @@ std::uint64_t hash_direction(const glm::dvec3& d, double step) {
 }  // namespace
 
 ProbeSettings ProbeSettings::of_quality(int quality) {
-  constexpr ProbeSettings kQualities[] = {
-      {96, 64, 16}, {96, 96, 16}, {128, 96, 16}, {128, 128, 16}};
+  constexpr ProbeSettings kQualities[] = {{96, 48, 24}, {96, 64, 24}, {128, 64, 24}, {128, 96, 24}};
   return kQualities[std::clamp(quality, 0, 3)];
 }
 
@@ -83,7 +89,7 @@ Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
       mips_("probe mips", GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE) {
   int rows = 0;
   for (const int share : kSides) {
-    const int side = share * settings_.size / 32;
+    const int side = share * settings_.size / 48;
     levels_.emplace_back(0, rows, side, 0);
     rows += side;
   }
@@ -98,7 +104,7 @@ Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
                                           .width = 2 * settings_.size,
                                           .height = settings_.size,
                                           .levels = shared::kProbeMips});
-  cell_list_ = gl::Buffer("probe cells", cell_count() * 2 * sizeof(glm::vec4));
+  cell_list_ = gl::Buffer("probe cells", cell_count() * (1 + kInCell) * 2 * sizeof(glm::vec4));
   shared::ProbeData data{};
   for (int i = 0; i < kProbeLevels; ++i) data.levels[i] = glm::vec4(levels_[i]);
   data.texel = glm::vec4(1.0f / static_cast<float>(desc.width),
@@ -129,7 +135,9 @@ void Probe::plan_work() {
   work_.push_back({Kind::kCells, 0, 0, 0, kCellCost * cells, 0});
   work_.push_back({Kind::kIrradiance, 0, 0, 0, kIrradianceCost * cells, 0});
   for (int i = 1; i < kGlossyLevels; ++i) level(Kind::kGlossy, i, kSampleCost * samples(i));
-  for (int i = kGlossyLevels; i < kProbeLevels; ++i) level(Kind::kRough, i, kPairCost * cells);
+  for (int i = kGlossyLevels; i < kProbeLevels; ++i) {
+    level(Kind::kRough, i, kPairCost * (cells + (i < kNearLevels ? kNearPairs : 0.0)));
+  }
   double total = 0.0, done = 0.0;
   for (const Work& work : work_) total += work.cost;
   for (Work& work : work_) {
@@ -163,10 +171,10 @@ std::vector<double> Probe::slice_shares() const {
 }
 
 ProbeIds Probe::add(FrameGraph& graph, const SkyLight& light, double wind_speed, const Sky& sky,
-                    const SkyIds& sky_ids, const std::optional<ProbeClouds>& clouds) {
+                    const SkyIds& sky_ids, const std::optional<ProbeClouds>& clouds, bool on) {
   Frame frame;
   frame.state = {light.sun_direction, light.moon_direction, std::max(light.camera_height, 1.0),
-                 light.haze, clouds.has_value()};
+                 light.haze,          clouds.has_value(),   on};
   const bool moon_counts = light.sun_direction.y < 0.05 && light.moon_direction.y > -0.05;
   frame.key =
       hash_of(hash_direction(light.sun_direction, kAngleStep),
@@ -176,7 +184,7 @@ ProbeIds Probe::add(FrameGraph& graph, const SkyLight& light, double wind_speed,
               static_cast<int>(light.painted.mode), light.painted.strength,
               hash_direction(light.painted.zenith / (1e-9 + light.painted.zenith.y), kLightStep),
               hash_direction(light.painted.horizon / (1e-9 + light.painted.zenith.y), kLightStep),
-              steps_of(wind_speed, kWindStep), clouds ? clouds->version + 1 : std::uint64_t{0},
+              steps_of(wind_speed, kWindStep), on, clouds ? clouds->version + 1 : std::uint64_t{0},
               capture_.generation() + mip_.generation() + glossy_.generation() +
                   cells_.generation() + rough_.generation() + irradiance_.generation());
   const auto angle = [](const glm::dvec3& a, const glm::dvec3& b) {
@@ -187,7 +195,7 @@ ProbeIds Probe::add(FrameGraph& graph, const SkyLight& light, double wind_speed,
       (moon_counts && angle(frame.state.moon, seen_.moon) > kLeapAngle) ||
       std::abs(frame.state.haze - seen_.haze) > kLeapHaze ||
       std::abs(std::log((frame.state.height + 100.0) / (seen_.height + 100.0))) > kLeapHeight ||
-      frame.state.clouds != seen_.clouds;
+      frame.state.clouds != seen_.clouds || frame.state.on != seen_.on;
   if (frame.leap) {
     frame.last_slice = settings_.slices - 1;
     frame.share = 1.0f;
@@ -256,6 +264,10 @@ void Probe::run_slice(const Frame& frame, int slice, const Generation& into) {
   into.irradiance.bind_storage(0);
   cell_list_.bind_storage(1);
   capture_.program().set(4, frame.clouds ? 1 : 0);
+  on_ = frame.state.on;
+  capture_.program().set(5, on_ ? 0 : 1);
+  irradiance_.program().set(5, on_ ? 0 : 1);
+  dip_ = static_cast<float>(glsl::horizon_dip_sine(frame.state.height * 1e-3));
   for (const Work& work : work_) {
     if (work.slice != slice) continue;
     // It may read what the last one wrote.
@@ -280,6 +292,10 @@ void Probe::dispatch(const Work& work) const {
   const double roughness = glsl::probe_roughness(work.level / (kProbeLevels - 1.0));
   const auto alpha = static_cast<float>(roughness * roughness);
   const auto cell_count_here = static_cast<int>(cell_count());
+  if (!on_ && (work.kind == Kind::kGlossy || work.kind == Kind::kRough)) {
+    go(use(capture_), kGroupRows);  // every level as level 0
+    return;
+  }
   switch (work.kind) {
     case Kind::kCapture:
       seen_mips_.bind_image(1, GL_WRITE_ONLY);
@@ -300,21 +316,19 @@ void Probe::dispatch(const Work& work) const {
       const gl::Program& program = use(glossy_);
       program.set(2, alpha);
       program.set(3, samples(work.level));
+      program.set(5, dip_);
       go(program, kGroupRows);
       break;
     }
-    case Kind::kCells: {
-      const gl::Program& program = use(cells_);
-      seen_mips_.bind_image(0, GL_READ_ONLY);
-      program.set(2, cells());
-      program.set(3, kCellTexels);
+    case Kind::kCells:
+      use(cells_).set(3, cells());
       glDispatchCompute(static_cast<GLuint>((cell_count_here + 63) / 64), 1, 1);
       break;
-    }
     case Kind::kRough: {
       const gl::Program& program = use(rough_);
       program.set(2, alpha);
-      program.set(3, cell_count_here);
+      program.set(3, cells());
+      program.set(5, work.level < kNearLevels ? kNearCells : -1);
       go(program, kRowsPerRough);
       break;
     }

@@ -30,7 +30,7 @@ struct ProbeClouds {
 };
 
 struct ProbeSettings {
-  int size = 96;     ///< texels per side of each half of level 0; a multiple of 32
+  int size = 96;     ///< texels per side of each half of level 0; a multiple of 48
   int samples = 48;  ///< directions from which a texel of a glossy level gathers its light
   int slices = 16;   ///< frames over which a refresh is spread, 1 or more
 
@@ -39,7 +39,7 @@ struct ProbeSettings {
 };
 
 /// The reflection probe: sky, clouds and a mean sea as a surface at the camera mirrors them, for
-/// ten roughnesses, and as it is lit by them (spherical harmonics).
+/// fourteen roughnesses, and as it is lit by them (spherical harmonics).
 ///
 /// While anything that it shows moves, one slice of the next generation is made in each frame;
 /// when that is whole, what is shown moves over to it at an even pace during as many frames again.
@@ -50,9 +50,12 @@ class Probe {
   Probe(ShaderLibrary& shaders, const ProbeSettings& settings);
 
   /// Adds sky.probe. The frame's FrameData must be bound when the graph runs, and say the same of
-  /// the light as `light`. `wind_speed` in m/s roughens the mean sea.
+  /// the light as `light`. `wind_speed` in m/s roughens the mean sea. With
+  /// `on` false the map holds the plain sky at every roughness and sky_irradiance() of sky.glsl,
+  /// without clouds and sea: what is seen without a probe.
   ProbeIds add(FrameGraph& graph, const SkyLight& light, double wind_speed, const Sky& sky,
-               const SkyIds& sky_ids, const std::optional<ProbeClouds>& clouds = {});
+               const SkyIds& sky_ids, const std::optional<ProbeClouds>& clouds = {},
+               bool on = true);
 
   /// Binds the map and the block for probe.glsl, within a pass that has declared ids.read_by().
   void bind(const PassContext& context, const ProbeIds& ids) const;
@@ -75,7 +78,7 @@ class Probe {
   struct State {
     glm::dvec3 sun, moon;
     double height, haze;
-    bool clouds;
+    bool clouds, on;
   };
   struct Generation {
     gl::Texture map;
@@ -115,6 +118,8 @@ class Probe {
   int building_ = 0;       ///< which generation; the other one is whole
   int next_slice_ = 0;     ///< settings_.slices: none is being made
   int blend_left_ = 0;     ///< frames until what is shown equals the whole generation
+  bool on_ = true;         ///< of what is being made; off: the sky's tables as they are
+  float dip_ = 0.0f;       ///< sine of the horizon's angle below the level, of what is being made
   bool complete_ = false;  ///< there is a whole generation
   std::uint64_t key_ = 0;  ///< of the generation that was begun last
   State seen_{};           ///< when the pass last ran

@@ -16,6 +16,9 @@ std::vector<ProbeAnswer> ProbeReference::ask(const PassContext& context, const S
                                              std::span<const ProbeQuery> queries,
                                              int samples) const {
   constexpr int kGroup = 32;
+  // Mesa's software renderer ends all loops of an invocation after 65535 rounds, those within the
+  // sky's functions included.
+  constexpr int kBatch = 1024;
   static_assert(sizeof(ProbeQuery) == sizeof(glm::vec4));
   const gl::Buffer asked = gl::Buffer::of<ProbeQuery>("probe queries", queries);
   const gl::Buffer answered("probe answers", queries.size() * 2 * sizeof(glm::vec4));
@@ -27,13 +30,18 @@ std::vector<ProbeAnswer> ProbeReference::ask(const PassContext& context, const S
   program_.program().set(0, samples);
   program_.program().set(1, static_cast<int>(queries.size()));
   program_.program().set(4, 0);
-  glDispatchCompute(static_cast<GLuint>((queries.size() + kGroup - 1) / kGroup), 1, 1);
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  std::vector<glm::dvec4> sums(queries.size(), glm::dvec4(0.0));
   std::vector<glm::vec4> values(2 * queries.size());
-  answered.read(values.data(), values.size() * sizeof(glm::vec4));
+  for (int first = 0; first < samples; first += kBatch) {
+    program_.program().set(2, glm::ivec2(first, std::min(first + kBatch, samples)));
+    glDispatchCompute(static_cast<GLuint>((queries.size() + kGroup - 1) / kGroup), 1, 1);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+    answered.read(values.data(), values.size() * sizeof(glm::vec4));
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += glm::dvec4(values[2 * i]);
+  }
   std::vector<ProbeAnswer> answers(queries.size());
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    answers[i] = {glm::vec3(values[2 * i]), glm::vec3(values[2 * i + 1])};
+    answers[i] = {glm::vec3(glm::dvec3(sums[i]) / sums[i].w), glm::vec3(values[2 * i + 1])};
   }
   return answers;
 }

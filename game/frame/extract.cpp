@@ -121,6 +121,7 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
   view.gust_origin = environment.gust_origin();
   view.squalls = environment.squalls();
   view.squall_corner = environment.squall_corner();
+  view.probe = world.scene().sky.probe;
   view.chlorophyll = chlorophyll_of(world.scene().sea.clarity_m);
   view.light =
       paint(world.scene(),

@@ -128,7 +128,8 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   const CloudscapeIds clouds = t.clouds.add_field(graph, view.clouds, view.light);
   const std::optional<ProbeClouds> cloud_map =
       t.clouds.add_map(graph, clouds, view.clouds, view.light, t.sky, sky);
-  const ProbeIds probe = t.probe.add(graph, view.light, view.frame.wind.w, t.sky, sky, cloud_map);
+  const ProbeIds probe =
+      t.probe.add(graph, view.light, view.frame.wind.w, t.sky, sky, cloud_map, view.probe);
   t.boat_shadow.add(graph, t.boat, view.boat, view.frame);
   const LightAccess light = light_access(t, {sky, probe, clouds.shadow});
   const SeaIds sea = t.ocean.add_maps(graph, view.sea_time);

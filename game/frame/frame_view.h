@@ -43,6 +43,7 @@ struct FrameView {
   ExposureSettings exposure;
   UnderwaterView underwater;
   bool sea_visible = true, sky_visible = true;
+  bool probe = true;
 };
 
 /// Makes FrameViews. Holds only what is worth keeping of the sky's light from frame to frame.

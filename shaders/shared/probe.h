@@ -6,7 +6,7 @@ namespace offing::shared {
 using glm::vec4;
 #endif
 
-const int kProbeLevels = 10;  // of roughness: see probe_level() of lib/probe.glsl
+const int kProbeLevels = 14;  // of roughness: see probe_level() of lib/probe.glsl
 const int kProbeHarmonics = 10;
 const int kProbeMips = 5;  // of what it sees, from which the levels are made
 
@@ -18,6 +18,6 @@ struct ProbeData {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(ProbeData) == 21 * 16);
+static_assert(sizeof(ProbeData) == 25 * 16);
 }  // namespace offing::shared
 #endif

@@ -1,13 +1,19 @@
-// Level 0 of the probe: what is seen from the boat, texel by texel; and the finest of its mips.
+// Level 0 of the probe: what is seen from the boat, texel by texel; the finest of its mips; and a list of
+// the same.
 #include "shared/frame.h"
 #include "sky/sky.glsl"
 #include "sky/probe_source.glsl"
 #include "lib/probe.glsl"
+#include "sky/probe_cell.glsl"
 
 layout(local_size_x = 16, local_size_y = 4) in;
 layout(rgba16f, binding = 0) uniform writeonly image2D map;
 layout(rgba32f, binding = 1) uniform writeonly image2D mip;
+layout(std430, binding = 1) writeonly buffer Cells { Cell cells[]; };
 layout(location = 0) uniform ivec4 region;  // first texel, texels per side, first row
+// 1: the sky's tables as they are, for every roughness: no clouds, no sea. Then levels other than 0 are
+// made so too.
+layout(location = 5) uniform int plain;
 
 void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, region.w);
@@ -17,8 +23,12 @@ void main() {
   vec3 d = probe_direction(units, below ? -1.0 : 1.0);
   // The level itself belongs to both squares; the lower one shows what lies just below the horizon.
   d.y = below ? min(d.y, -sky.observer.y - 1.0e-6) : d.y;
-  vec3 light = min(probe_source(normalize(d)), vec3(6.0e4));
+  vec3 light = vec3(0.0);
+  for (int i = plain; i < 1; ++i) light = probe_source(normalize(d));
+  for (int i = 0; i < plain; ++i) light = sky_radiance(d) / max(frame.sky_illuminance.rgb, vec3(1.0e-9));
+  light = min(light, vec3(6.0e4));
   imageStore(map, region.xy + texel, vec4(light, 1.0));
+  if (region.y > 0) return;
   // The solid angle that a texel stands for; of those on the edges half lies outside.
   float angle = 0.0;
   for (int i = 0; i < 4; ++i) {
@@ -26,5 +36,21 @@ void main() {
     bool inside = all(greaterThanEqual(part, vec2(0.0))) && all(lessThanEqual(part, vec2(1.0)));
     angle += inside ? 0.25 * probe_solid_angle(part) : 0.0;
   }
-  imageStore(mip, texel, vec4(light, angle / float((region.z - 1) * (region.z - 1))));
+  angle /= float((region.z - 1) * (region.z - 1));
+  imageStore(mip, texel, vec4(light, angle));
+  int side = region.z / kCellTexels;
+  ivec2 cell = texel / kCellTexels, within = texel - kCellTexels * cell;
+  int me = first_texel_of_cell(2 * side * cell.y + cell.x, side) + kCellTexels * within.y + within.x;
+  cells[me].middle = vec4(normalize(d), angle);
+  // Between the level and the horizon there is sky, thinner than a texel: in sums it counts. Depth below
+  // the level goes with the square of the distance from the square's edge (lib/probe.glsl).
+  vec2 edge = 1.0 - max(abs(2.0 * units.x - 1.0), abs(2.0 * units.y - 1.0)) +
+              vec2(-1.0, 1.0) / float(region.z - 1);
+  vec2 depth = max(edge, 0.0) * max(edge, 0.0);
+  depth *= 2.0 - depth;
+  float strip = below ? clamp((sky.observer.y - depth.x) / (depth.y - depth.x), 0.0, 1.0) : 0.0;
+  for (int i = 0; i < int(strip > 0.0); ++i) {
+    light = mix(light, probe_source(normalize(vec3(d.x, -0.5 * sky.observer.y, d.z))), strip);
+  }
+  cells[me].light = vec4(light * angle, 0.0);
 }

@@ -8,6 +8,7 @@ layout(local_size_x = 16, local_size_y = 4) in;
 layout(rgba16f, binding = 0) uniform writeonly image2D map;
 layout(location = 2) uniform float alpha;
 layout(location = 3) uniform int samples;
+layout(location = 5) uniform float dip;  // sine of the horizon's angle below the level
 
 const float kGoldenAngle = 2.39996323;
 const float kPi = 3.14159265;
@@ -18,7 +19,7 @@ void main() {
   vec3 n = probe_direction(t.units, t.below ? -1.0 : 1.0);
   vec3 right = normalize(cross(abs(n.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0), n));
   vec3 ahead = cross(n, right);
-  // Light from above the level and from below it apart, each the mean of its own samples. How much of
+  // Light from above the horizon and from below it apart, each the mean of its own samples. How much of
   // the lobe lies above is known exactly for each ring, and no chance of where samples fall decides
   // about the jump between sky and sea.
   float steep = sqrt(max(1.0 - n.y * n.y, 1.0e-12));
@@ -39,13 +40,13 @@ void main() {
     float width = 1.0 + (a2 - 1.0) * c2;
     float angle = 4.0 * kPi * width * width / (a2 * float(samples));
     float level = 0.5 * log2(0.25 * angle * size * size / (probe_solid_angle(units) + 0.02));
-    bool up = l.y >= 0.0;
+    bool up = l.y >= -dip;
     vec3 light = weight * read_mip(units, !up, level);
     up_sum += up ? light : vec3(0.0);
     up_weight += up ? weight : 0.0;
     down_sum += up ? vec3(0.0) : light;
     down_weight += up ? 0.0 : weight;
-    above += weight * acos(clamp(-weight * n.y / (across * steep), -1.0, 1.0));
+    above += weight * acos(clamp(-(weight * n.y + dip) / (across * steep), -1.0, 1.0));
   }
   above /= kPi * (up_weight + down_weight);
   vec3 up_mean = up_sum / max(up_weight, 1.0e-6), down_mean = down_sum / max(down_weight, 1.0e-6);

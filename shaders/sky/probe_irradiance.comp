@@ -1,5 +1,7 @@
 // Irradiance as spherical harmonics.
+#include "lib/phase.glsl"
 #include "lib/probe.glsl"
+#include "lib/scattering.glsl"
 #include "shared/probe.h"
 #include "sky/probe_cell.glsl"
 
@@ -7,6 +9,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) writeonly buffer Coefficients { vec4 coefficients[kProbeHarmonics]; };
 layout(std430, binding = 1) readonly buffer Cells { Cell cells[]; };
 layout(location = 3) uniform int count;
+layout(location = 5) uniform int plain;  // 1: sky_irradiance() of sky.glsl instead
 
 shared vec3 sums[kProbeHarmonics][64];
 shared float angles[64];
@@ -42,6 +45,12 @@ void main() {
       whole += angles[i];
     }
     float cosine = me == 0u ? kProbeCosine0 : me < 4u ? kProbeCosine1 : me < 9u ? kProbeCosine2 : kProbeCosine4;
-    coefficients[me] = vec4(total * (cosine * 4.0 * 3.14159265 / whole), 0.0);
+    vec3 measured = total * (cosine * 4.0 * 3.14159265 / whole);
+    // An even sky over a dim sea: a constant and a part that goes with the normal's height.
+    ProbeBasis up = probe_basis(vec3(0.0, 1.0, 0.0));
+    float even = me == 0u   ? 0.5 * (1.0 + kSeaAlbedo) / up.constant
+                 : me == 2u ? 0.5 * (1.0 - kSeaAlbedo) / up.linear.y
+                            : 0.0;
+    coefficients[me] = vec4(plain > 0 ? vec3(even) : measured, 0.0);
   }
 }

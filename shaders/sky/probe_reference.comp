@@ -1,4 +1,4 @@
-// What the probe should hold, by brute force: for each query the mean over many samples of what is
+// What the probe should hold, by brute force: for each query the sum over some of many samples of what is
 // seen itself, not of any map of it; for tests and the benchmark. Samples are Hammersley's points.
 #include "shared/frame.h"
 #include "sky/sky.glsl"
@@ -11,11 +11,13 @@ struct Query {
 };
 layout(std430, binding = 0) readonly buffer Queries { Query queries[]; };
 struct Answer {
-  vec4 reference, probe;
+  vec4 reference;  // rgb: sum over the samples of this batch; w: of their weights
+  vec4 probe;
 };
 layout(std430, binding = 1) writeonly buffer Answers { Answer answers[]; };
 layout(location = 0) uniform int samples;
 layout(location = 1) uniform int count;
+layout(location = 2) uniform ivec2 batch;  // first sample, one after the last
 
 void main() {
   uint me = gl_GlobalInvocationID.x;
@@ -29,7 +31,7 @@ void main() {
   vec3 t = cross(n, s);
   vec3 sum = vec3(0.0);
   float weights = 0.0;
-  for (int i = 0; i < samples; ++i) {
+  for (int i = batch.x; i < batch.y; ++i) {
     float u = (float(i) + 0.5) / float(samples);
     float turn = 6.28318531 * float(bitfieldReverse(uint(i))) / 4294967296.0;
     // The tangent of the facet's angle for GGX; the direction's own sine for irradiance.
@@ -42,6 +44,6 @@ void main() {
     weights += weight;
   }
   vec3 scale = frame.sky_illuminance.rgb;
-  answers[me].reference = vec4(sum / weights * scale * (lit ? 3.14159265 : 1.0), 0.0);
+  answers[me].reference = vec4(sum * scale * (lit ? 3.14159265 : 1.0), weights);
   answers[me].probe = vec4(lit ? probe_irradiance(n) : probe_radiance(n, roughness), 0.0);
 }

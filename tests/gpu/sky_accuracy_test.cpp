@@ -214,6 +214,29 @@ TEST_F(SkyAccuracy, ThePathTracerBeginsWithSingleScattering) {
   EXPECT_NEAR(all.x / once.x, 1.0, 0.2);
 }
 
+TEST_F(SkyAccuracy, TwilightIsThatOfAllOrdersOfScattering) {
+  // What the sky gives a level surface with the sun 6 degrees down, the path tracer's paths against
+  // the model's tables: directions dense at the horizon, half the azimuths for all.
+  constexpr int kCosines = 8, kAzimuths = 6, kPaths = 800;
+  const AirReference air(0.1);
+  const CelestialState state = sun_at(-6.0);
+  const SkyLight& light = model_.update(state, 0.1, 3.0);
+  double traced = 0.0;
+  for (int i = 0; i < kCosines * kAzimuths; ++i) {
+    const double x = (i / kAzimuths + 0.5) / kCosines,
+                 azimuth = kPi * (i % kAzimuths + 0.5) / kAzimuths;
+    const double cosine = x * x, sine = std::sqrt(1.0 - cosine * cosine);
+    const glm::dvec3 view(sine * std::sin(azimuth), cosine, sine * std::cos(azimuth));
+    const double weight = kTau * cosine * 2.0 * x / (kCosines * kAzimuths);
+    traced += weight * air.path_traced(0.003, view, light.sun_direction, kPaths,
+                                       5 + static_cast<std::uint64_t>(i))
+                           .y;
+  }
+  const double ratio = light.sky_illuminance.y / light.sun_source.y / traced;
+  EXPECT_NEAR(ratio, 1.0, 0.15);
+  RecordProperty("model_over_traced", std::to_string(ratio));
+}
+
 TEST_F(SkyAccuracy, LevelIlluminanceIsThatOfNature) {
   const double noon = level(sun_at(62.0));
   EXPECT_GT(noon, 90e3);
