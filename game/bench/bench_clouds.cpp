@@ -195,6 +195,7 @@ std::vector<Point> measure(const std::vector<Setting>& list, const Runs& runs,
     for (Trial& trial : trials) trial.measure_time();
   }
   std::vector<Point> points;
+  points.reserve(trials.size());
   for (const Trial& trial : trials) points.push_back(trial.point());
   return points;
 }
