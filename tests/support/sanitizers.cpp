@@ -19,6 +19,10 @@ const char* __lsan_default_suppressions() {
   return
       // A damaged PNG: libpng leaves by longjmp past OpenImageIO's half-made error message.
       "leak:PNGInput::PngReadCallback\n"
+#ifndef OFFING_WHOLE_STACKS
+      // The same where the stack ends inside the library, before that function.
+      "leak:libOpenImageIO.so\n"
+#endif
       // Mesa keeps 56 bytes or so of each context's compiler.
       "leak:swrast_dri.so\n"
       "leak:libgallium\n";
