@@ -16,7 +16,8 @@ namespace offing {
 enum class Lens : std::uint8_t { kDry, kCrossing, kSubmerged };
 
 /// How a pass reaches the light of sky, probe and clouds and the boat's shadow, which lie above the
-/// sea in the order of includes: what their shaders read is declared at set-up and bound when drawing.
+/// sea in the order of includes: what their shaders read is declared at set-up and bound when
+/// drawing.
 struct LightAccess {
   std::function<void(PassBuilder&)> declare;
   std::function<void(const PassContext&)> bind;

@@ -15,8 +15,8 @@
 #define OFFING_BIND_BOAT 6        // shared/boat.h
 #define OFFING_BIND_CLOTH 7       // shared/cloth.h
 #define OFFING_BIND_GARDNER 8     // shared/gardner.h
-#define OFFING_BIND_BOAT_SHADOW 10  // shared/boat_shadow.h
 #define OFFING_BIND_FOAM 9        // shared/ocean.h: a step of the foam map
+#define OFFING_BIND_BOAT_SHADOW 10  // shared/boat_shadow.h
 
 // Texture units
 #define OFFING_UNIT_SKY_SUN 8         // sky view of the sun
@@ -34,5 +34,5 @@
 #define OFFING_UNIT_CLOUD_WEATHER 20  // where there are clouds, and which
 #define OFFING_UNIT_CLOUD_MOST 21     // the most of it round each of its coarse cells
 #define OFFING_UNIT_SEA_ROUGHNESS 22    // what the sea's maps do not show
-#define OFFING_UNIT_BOAT_SHADOW 24    // boat/shadow.glsl
 #define OFFING_UNIT_SQUALLS 23        // engine/environment/squall_field.h, repeating
+#define OFFING_UNIT_BOAT_SHADOW 24    // boat/shadow.glsl
