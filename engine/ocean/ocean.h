@@ -129,6 +129,12 @@ class Ocean {
   void bind_surface(const PassContext& context, const SeaIds& sea) const;
   void show_squalls(const std::shared_ptr<const SquallField>& squalls);
   static void unbind_samplers();
+  // The passes that add_draw() puts together.
+  void add_mesh(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
+                std::vector<SeaMesh::Square> squares, TextureId dry, TextureId seen,
+                TextureId depth);
+  static void add_hull(FrameGraph& graph, TextureId hdr, TextureId hull, bool shows);
+  TextureId add_horizon(FrameGraph& graph, const LightAccess& sky, bool visible) const;
 
   OceanSettings settings_;
   ShaderLibrary& shaders_;
