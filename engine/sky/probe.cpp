@@ -27,12 +27,12 @@ constexpr double kLeapAngle = 0.026, kLeapHaze = 0.02, kLeapHeight = 0.25;
 constexpr double kAngleStep = 1e-4, kHeightStep = 0.02, kLightStep = 1e-3, kWindStep = 0.25;
 
 // Texels per side of a level over those of level 0, in 48ths.
-constexpr int kSides[kProbeLevels] = {48, 48, 48, 45, 42, 39, 36, 33, 28,
-                                      24, 21, 18, 16, 14, 12, 10, 9};
+constexpr int kSides[kProbeLevels] = {48, 48, 44, 36, 30, 25, 21, 18, 15, 13, 11, 9, 8};
 
 // Nanoseconds per texel or node, and per pair of texel and node, on a CPU renderer; only their
 // ratios matter.
-constexpr double kCaptureCost = 400.0, kMipCost = 60.0, kPairCost = 1.0, kIrradianceCost = 60.0;
+constexpr double kCaptureCost = 400.0, kMipCost = 60.0, kPairCost = 1.0, kIrradianceCost = 60.0,
+                 kSharpenCost = 100.0;
 
 std::vector<int> sides_of(int size) {
   std::vector<int> sides;
@@ -51,7 +51,7 @@ std::uint64_t hash_direction(const glm::dvec3& d, double step) {
 }  // namespace
 
 ProbeSettings ProbeSettings::of_quality(int quality) {
-  constexpr ProbeSettings kQualities[] = {{96, 24}, {96, 24}, {128, 24}, {128, 24}};
+  constexpr ProbeSettings kQualities[] = {{80, 24}, {96, 24}, {112, 24}, {128, 24}};
   return kQualities[std::clamp(quality, 0, 3)];
 }
 
@@ -75,6 +75,7 @@ Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
       capture_(shaders.program({"sky/probe_capture.comp"})),
       mip_(shaders.program({"sky/probe_mip.comp"})),
       level_(shaders.program({"sky/probe_level.comp"})),
+      sharpen_(shaders.program({"sky/probe_sharpen.comp"})),
       irradiance_(shaders.program({"sky/probe_irradiance.comp"})),
       blend_(shaders.program({"sky/probe_blend.comp"})),
       plan_(settings.size, sides_of(settings.size)),
@@ -94,6 +95,7 @@ Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
   }
   const gl::TextureDesc nodes{
       .format = GL_RGBA32F, .width = 2 * settings_.size, .height = 2 * settings_.size};
+  sums_ = gl::Texture("probe sums", desc);
   seen_ = gl::Texture("probe seen", nodes);
   glClearTexImage(seen_.id(), 0, GL_RGBA, GL_FLOAT, nullptr);
   places_ = gl::Texture("probe places", nodes);
@@ -139,6 +141,11 @@ void Probe::plan_work() {
       return kPairCost * ProbePlan::kColumns * ProbePlan::kRows * 4.0 * pairs;
     });
   }
+  for (int level = 1; level < kProbeLevels; ++level) {
+    const double side = levels_[static_cast<std::size_t>(level)].z;
+    rows(Kind::kSharpen, level, kGroupRows,
+         [&](int) { return kSharpenCost * 2.0 * side * kGroupRows; });
+  }
   double total = 0.0, done = 0.0;
   for (const Work& work : work_) total += work.cost;
   for (Work& work : work_) {
@@ -177,16 +184,17 @@ ProbeIds Probe::add(FrameGraph& graph, const SkyLight& light, double wind_speed,
   frame.state = {light.sun_direction, light.moon_direction, std::max(light.camera_height, 1.0),
                  light.haze,          clouds.has_value(),   on};
   const bool moon_counts = light.sun_direction.y < 0.05 && light.moon_direction.y > -0.05;
-  frame.key = hash_of(
-      hash_direction(light.sun_direction, kAngleStep),
-      moon_counts ? hash_direction(light.moon_direction, kAngleStep) : std::uint64_t{0},
-      steps_of(light.sun_uncovered, kLightStep), steps_of(light.moon_phase, kLightStep),
-      steps_of(std::log(frame.state.height + 10.0), kHeightStep), light.haze,
-      static_cast<int>(light.painted.mode), light.painted.strength,
-      hash_direction(light.painted.zenith / (1e-9 + light.painted.zenith.y), kLightStep),
-      hash_direction(light.painted.horizon / (1e-9 + light.painted.zenith.y), kLightStep),
-      steps_of(wind_speed, kWindStep), on, clouds ? clouds->version + 1 : std::uint64_t{0},
-      capture_.generation() + mip_.generation() + level_.generation() + irradiance_.generation());
+  frame.key =
+      hash_of(hash_direction(light.sun_direction, kAngleStep),
+              moon_counts ? hash_direction(light.moon_direction, kAngleStep) : std::uint64_t{0},
+              steps_of(light.sun_uncovered, kLightStep), steps_of(light.moon_phase, kLightStep),
+              steps_of(std::log(frame.state.height + 10.0), kHeightStep), light.haze,
+              static_cast<int>(light.painted.mode), light.painted.strength,
+              hash_direction(light.painted.zenith / (1e-9 + light.painted.zenith.y), kLightStep),
+              hash_direction(light.painted.horizon / (1e-9 + light.painted.zenith.y), kLightStep),
+              steps_of(wind_speed, kWindStep), on, clouds ? clouds->version + 1 : std::uint64_t{0},
+              capture_.generation() + mip_.generation() + level_.generation() +
+                  sharpen_.generation() + irradiance_.generation());
   const auto angle = [](const glm::dvec3& a, const glm::dvec3& b) {
     return glm::length(glm::cross(a, b)) + (glm::dot(a, b) < 0.0 ? 1.0 : 0.0);
   };
@@ -264,6 +272,9 @@ void Probe::run_slice(const Frame& frame, int slice, const Generation& into) {
     texture->bind(static_cast<GLuint>(unit));
     nearest_.bind(static_cast<GLuint>(unit++));
   }
+  sums_.bind(3);
+  linear_.bind(3);
+  block_.bind_uniform(OFFING_BIND_PROBE);
   into.irradiance.bind_storage(0);
   block_list_.bind_storage(1);
   capture_.program().set(4, frame.clouds ? 1 : 0);
@@ -275,7 +286,8 @@ void Probe::run_slice(const Frame& frame, int slice, const Generation& into) {
     // It may read what the last one wrote.
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-    into.map.bind_image(0, GL_WRITE_ONLY);
+    const bool sums = on_ && work.kind == Kind::kLevel;  // still to be sharpened
+    (sums ? sums_ : into.map).bind_image(0, GL_WRITE_ONLY);
     dispatch(work);
   }
 }
@@ -316,6 +328,12 @@ void Probe::dispatch(const Work& work) const {
                         2);
       break;
     }
+    case Kind::kSharpen:
+      if (!on_) break;
+      use(sharpen_).set(0, glm::ivec4(level.x, level.y, level.z, work.first_row));
+      use(sharpen_).set(1, work.level);
+      glDispatchCompute(groups(2 * level.z, kGroupColumns), groups(work.rows, kGroupRows), 1);
+      break;
     case Kind::kIrradiance: {
       constexpr int kMip = 2;  // fine enough for what it keeps
       use(irradiance_)

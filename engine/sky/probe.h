@@ -39,7 +39,7 @@ struct ProbeSettings {
 };
 
 /// The reflection probe: sky, clouds and a mean sea as a surface at the camera mirrors them, for
-/// seventeen roughnesses, and as it is lit by them (spherical harmonics).
+/// thirteen roughnesses, and as it is lit by them (spherical harmonics).
 ///
 /// While anything that it shows moves, one slice of the next generation is made in each frame;
 /// when that is whole, what is shown moves over to it at an even pace during as many frames again.
@@ -66,7 +66,7 @@ class Probe {
   const gl::Texture& map() const { return shown_; }
 
  private:
-  enum class Kind : std::uint8_t { kCapture, kMips, kLevel, kIrradiance };
+  enum class Kind : std::uint8_t { kCapture, kMips, kLevel, kSharpen, kIrradiance };
   /// One dispatch: some rows of one level of the map.
   struct Work {
     Kind kind;
@@ -96,11 +96,13 @@ class Probe {
   const ShaderProgram& capture_;
   const ShaderProgram& mip_;
   const ShaderProgram& level_;
+  const ShaderProgram& sharpen_;
   const ShaderProgram& irradiance_;
   const ShaderProgram& blend_;
   std::vector<Work> work_;
   std::vector<glm::ivec4> levels_;  ///< first texel, texels per side
   gl::Texture shown_;
+  gl::Texture sums_;  ///< the levels before they are sharpened
   ProbePlan plan_;
   gl::Texture places_, lists_, seen_;  ///< of the plan's nodes
   gl::Buffer block_, block_list_;

@@ -216,6 +216,7 @@ SkyIds Sky::add_tables(FrameGraph& graph, const SkyLight& light) {
   const glm::dvec2 to_sun = heading(light.sun_direction), to_moon = heading(light.moon_direction);
   data.azimuths = glm::vec4(glm::dvec4(to_sun.x, to_sun.y, to_moon.x, to_moon.y));
   data.night = pack(light.airglow, kEarthshine * (1.0 - light.moon_lit_fraction));
+  data.umbra = pack(light.umbra_horizon, 0.0);
   data.observer = glm::vec4(
       glm::dvec4(light.camera_height * 1e-3, dip, std::sqrt(1.0 - dip * dip), light.star_share));
   const PaintedSky& painted = light.painted;

@@ -26,7 +26,11 @@ using glm::dvec3;
 constexpr double kSunLux = 133.1e3;    // above the air at 1 au
 constexpr double kFullMoonLux = 0.36;  // above the air at 384400 km
 constexpr double kMoonDistanceKm = 384400.0;
-constexpr double kTotality = 3.0e-5;  // of full sunlight
+constexpr double kCorona = 1.0e-6;  // of full sunlight
+/// What the air outside the moon's shadow, some tens of kilometres off, sends into it: luminance of
+/// the zenith and of the band round the horizon over the level illuminance that the sky would have
+/// without the moon (some lux in all by day, as measured in totalities).
+constexpr double kUmbraZenith = 3.0e-5, kUmbraHorizon = 1.8e-3;
 /// Airglow, zodiacal light and stars too faint for the catalogue at the zenith of a dark
 /// place: 21.7 mag per square second.
 constexpr double kNightLuminance = 2.4e-4;
@@ -37,6 +41,11 @@ double luminance(const dvec3& c) { return glm::dot(c, dvec3(0.2126, 0.7152, 0.07
 
 /// Of luminance 1, as is moon_colour(): sunlight is the white of sRGB here.
 const dvec3 kNightColour = dvec3(0.86, 1.02, 1.0) / luminance(dvec3(0.86, 1.02, 1.0));
+
+/// Of luminance 1: blue that has been scattered twice, and the red of light from far through the
+/// air.
+const dvec3 kUmbraBlue = dvec3(0.62, 0.95, 1.75) / luminance(dvec3(0.62, 0.95, 1.75));
+const dvec3 kUmbraRed = dvec3(1.9, 0.92, 0.38) / luminance(dvec3(1.9, 0.92, 0.38));
 
 double smooth(double low, double high, double x) {
   const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
@@ -323,9 +332,15 @@ const SkyLight& SkyLightModel::update(const CelestialState& celestial, double ha
       l.moon_source * air_->direct(radians(celestial.moon.elevation_deg), l.moon_radius);
   l.airglow = kNightLuminance * kNightColour;
   const dvec3 up = glm::transpose(celestial.world_from_j2000) * dvec3(0.0, 1.0, 0.0);
-  l.sky_illuminance = l.sun_source * air_->sky_illuminance(celestial.sun.elevation_deg) +
+  const dvec3 sky_of_sun = air_->sky_illuminance(celestial.sun.elevation_deg);
+  const double outside = kSunLux * luminance(sky_of_sun) * (1.0 - l.sun_uncovered);
+  const dvec3 umbra_zenith = kUmbraZenith * outside * kUmbraBlue;
+  l.umbra_horizon = kUmbraHorizon * outside * kUmbraRed;
+  l.airglow += umbra_zenith;
+  l.sky_illuminance = l.sun_source * sky_of_sun +
                       l.moon_source * air_->sky_illuminance(celestial.moon.elevation_deg) +
-                      air_->night_illuminance +
+                      air_->night_illuminance + kPi * air_->night_transmittance * umbra_zenith +
+                      glsl::kUmbraBandIlluminance * l.umbra_horizon +
                       air_->night_transmittance * starlight_.illuminance(up) * milky_way_colour();
   l.extinction = glsl::air_at(glsl::aerosol_of_haze(haze), 0.0).extinction * 1e-3;
   l.star_share =
@@ -397,7 +412,7 @@ double uncovered_sun(double separation, double sun_radius, double moon_radius) {
     seen += light * (1.0 - covered);
     all += light;
   }
-  return kTotality + (1.0 - kTotality) * seen / all;
+  return kCorona + (1.0 - kCorona) * seen / all;
 }
 
 dvec3 sunlight_on_the_moon(const EarthShadow& shadow) {

@@ -34,6 +34,8 @@ struct SkyLight {
   double sun_radius = 0.00465, moon_radius = 0.0045;  ///< radians
   /// Above the air, on a surface facing it: the sun as far as no moon covers it, the moon by phase.
   glm::dvec3 sun_source{0.0}, moon_source{0.0};
+  /// cd/m^2 at the horizon all round, from the air outside the moon's shadow; 0 without an eclipse.
+  glm::dvec3 umbra_horizon{0.0};
   double sun_uncovered = 1.0;  ///< share of the sun's light that the moon leaves
   double moon_phase = 1.0;     ///< moonlight over that of the full moon
   double moon_lit_fraction = 1.0;
@@ -44,8 +46,9 @@ struct SkyLight {
   glm::dvec3 sun_illuminance{0.0}, moon_illuminance{0.0};
   double sun_share = 1.0, moon_share = 0.0;  ///< of the disc above the horizon
   glm::dvec3 sky_illuminance{0.0};  ///< of a level surface, without the discs, airglow included
-  glm::dvec3 airglow{0.0};          ///< radiance at the zenith above the air, cd/m^2
-  glm::dvec3 extinction{0.0};       ///< of the air at sea level, 1/m
+  /// Radiance at the zenith above the air, cd/m^2; in an eclipse with what lights the shadow.
+  glm::dvec3 airglow{0.0};
+  glm::dvec3 extinction{0.0};  ///< of the air at sea level, 1/m
   double haze = 0.0;
   double camera_height = 2.0;  ///< m
   double star_share = 0.0;     ///< 0 by day, 1 by night
@@ -100,8 +103,7 @@ class SkyLightModel {
 double adapting_luminance(const SkyLight& light);
 
 /// Share of the limb-darkened sun's light that is left where the moon's centre stands `separation`
-/// from the sun's (all radians). In totality a few hundred-thousandths remain: the corona, and the
-/// lit air outside the shadow.
+/// from the sun's (all radians). In totality a millionth remains: the corona.
 double uncovered_sun(double separation, double sun_radius, double moon_radius);
 
 /// Mean over the moon's disc of what the earth's shadow leaves of its light, linear sRGB.

@@ -7,10 +7,10 @@
 // square's edges lie in the centres of its outermost texels: both squares agree along the level.
 
 // Levels of roughness by the GGX width alpha: 0 is a mirror, 1 a lobe finer than what is seen; from 2 on alpha
-// grows by the same factor up to 1 at the last, so slowly that in between a straight line is right.
+// grows by the same factor up to 1 at the last.
 const float kProbeSharpest = 0.0042;
 const float kProbeKnee = 0.0076;
-const float kProbeLast = 16.0;
+const float kProbeLast = 12.0;
 float probe_alpha(float level) {
   return level < 2.0 ? kProbeSharpest * pow(kProbeKnee / kProbeSharpest, level - 1.0)
                      : pow(kProbeKnee, (kProbeLast - level) / (kProbeLast - 2.0));

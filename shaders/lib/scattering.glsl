@@ -220,6 +220,15 @@ SkyViewPlace sky_view_place(vec2 units) {
   return place;
 }
 
+// In a total eclipse the air outside the moon's shadow is lit, and is seen low all round: its brightness over
+// that at the horizon, by the sine above it, and the level illuminance of such a band (its integral).
+const float kUmbraBandHeight2 = 0.011;  // the square of the sine at which it has fallen to a quarter
+const float kUmbraBandIlluminance = kPhasePi * kUmbraBandHeight2 / (1.0 + kUmbraBandHeight2);
+float umbra_band(float sine_above_horizon) {
+  float share = kUmbraBandHeight2 / (kUmbraBandHeight2 + sine_above_horizon * sine_above_horizon);
+  return share * share;
+}
+
 // ---- Sun, moon and the night's own light ---------------------------------------------------------
 
 // Brightness across the disc over its mean, from the centre (0) to the limb (1), linear sRGB

@@ -6,7 +6,7 @@ namespace offing::shared {
 using glm::vec4;
 #endif
 
-const int kProbeLevels = 17;  // of roughness: see lib/probe.glsl
+const int kProbeLevels = 13;  // of roughness: see lib/probe.glsl
 const int kProbeHarmonics = 10;
 
 struct ProbeData {
@@ -17,6 +17,6 @@ struct ProbeData {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(ProbeData) == 28 * 16);
+static_assert(sizeof(ProbeData) == 24 * 16);
 }  // namespace offing::shared
 #endif

@@ -13,6 +13,7 @@ struct SkyData {
   vec4 moon_source;   // rgb: lux above the air for the present phase and shadow; w: luminance of the sunlit disc, cd/m^2
   vec4 azimuths;      // xy: unit (x, z) toward the sun, zw: toward the moon
   vec4 night;         // rgb: airglow at the zenith, cd/m^2; w: earthshine on the dark moon, cd/m^2
+  vec4 umbra;         // rgb: light at the horizon from outside the moon's shadow, cd/m^2
   vec4 observer;      // x: height km, y: sine, z: cosine of the horizon's dip, w: share of stars shown
   vec4 aerosol;       // xyz: struct Aerosol of lib/scattering.glsl
   vec4 lights;        // x: 1 where the moon lights the sky visibly, else 0; y: strength of a grade;
@@ -25,7 +26,7 @@ struct SkyData {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(SkyData) == 240);
+static_assert(sizeof(SkyData) == 256);
 }  // namespace offing::shared
 #else
 layout(std140, binding = OFFING_BIND_SKY) uniform SkyBlock { SkyData sky; };

@@ -31,7 +31,7 @@ vec3 physical_sky_radiance(vec3 direction) {
   vec2 heading = direction.xz * inversesqrt(flat_length2);
   float above = max(direction.y * sky.observer.z + sqrt(flat_length2) * sky.observer.y, 0.0);
   vec4 sun = textureLod(sky_sun_table, sky_table_at(dot(heading, sky.azimuths.xy), above), 0.0);
-  vec3 radiance = sun.rgb * sky.sun_source.rgb + sun.a * sky.night.rgb;
+  vec3 radiance = sun.rgb * sky.sun_source.rgb + sun.a * sky.night.rgb + umbra_band(above) * sky.umbra.rgb;
   for (int i = 0; i < SKY_MOON; ++i) {
     vec2 at = sky_table_at(dot(heading, sky.azimuths.zw), above);
     radiance += textureLod(sky_moon_table, at, 0.0).rgb * sky.moon_source.rgb;

@@ -98,14 +98,32 @@ TEST(SkyLight, TheEclipseTakesTheSunAway) {
   EXPECT_EQ(uncovered("16:00"), 1.0);
   EXPECT_LT(uncovered("18:20"), 0.3);
   EXPECT_GT(uncovered("18:20"), 0.01);
-  EXPECT_LT(uncovered("18:28"), 1e-4);
+  EXPECT_LT(uncovered("18:28"), 2e-6);
   EXPECT_GT(uncovered("18:36"), 0.01);
+}
+
+TEST(SkyLight, TotalityIsADeepTwilight) {
+  // About as much light as half an hour after sunset, nearly all of it from the air outside the
+  // shadow; minutes before and after it is day.
+  SkyLightModel model;
+  const auto lux = [&](const char* time) {
+    const double utc = *parse_date("2026-08-12") + *parse_time(time);
+    return model.update(celestial_state(utc, 43.3623, -8.4115), 0.1, 2.0).level_illuminance();
+  };
+  EXPECT_GT(lux("18:28"), 0.5);
+  EXPECT_LT(lux("18:28"), 10.0);
+  EXPECT_GT(lux("18:20"), 500.0);
+  const double utc = *parse_date("2026-08-12") + *parse_time("18:28");
+  const SkyLight& l = model.update(celestial_state(utc, 43.3623, -8.4115), 0.1, 2.0);
+  EXPECT_LT(luminance(l.sun_illuminance), 0.1 * luminance(l.sky_illuminance));
+  EXPECT_GT(l.umbra_horizon.x, 2.0 * l.umbra_horizon.z);  // orange, and blue above it
+  EXPECT_GT(l.airglow.z, 2.0 * l.airglow.x);
 }
 
 TEST(Eclipse, CoveredAreaOfAnEvenMoon) {
   const double r = 0.00465;
   EXPECT_EQ(uncovered_sun(3.0 * r, r, r), 1.0);
-  EXPECT_NEAR(uncovered_sun(0.0, r, 1.02 * r), 3e-5, 1e-6);
+  EXPECT_NEAR(uncovered_sun(0.0, r, 1.02 * r), 1e-6, 1e-7);  // the corona
   // A moon of half the sun's radius in its middle covers a quarter, and the brightest quarter.
   const double annular = uncovered_sun(0.0, r, 0.5 * r);
   EXPECT_LT(annular, 0.75);
