@@ -41,7 +41,11 @@ Surface read_surface(vec2 parameter, float footprint) {
   Surface surface;
   surface.slope = surface_slope(sum.x, sum.y, sum.z, sum.w, squeeze.z);
   surface.jacobian = surface_jacobian(squeeze.x, squeeze.y, squeeze.z);
+#ifdef PICK_LEVELS
+  vec4 missing = sea_missing_picked(size, sea_die());
+#else
   vec4 missing = sea_missing(size);
+#endif
   surface.unresolved = missing.w;
   surface.covariance = missing.xyz;
   return surface;

@@ -10,6 +10,8 @@ const int kOceanMaxCascades = 5;
 const int kOceanMapLevels = 6;  // levels of the maps: 0 to 5
 // The foam map's layers: squares about the viewer, each four times as wide as the one inside it.
 const int kFoamLayers = 4;
+const int kGustTexels = 512;     // of the gust field, across
+const int kHorizonTexels = 256;  // of the strip of the horizon's light
 // Where the roughness table begins and how finely it goes on: entries per doubling of the size.
 const float kRoughnessFirst = -6.0f;  // log2 m
 const float kRoughnessSteps = 8.0f;
@@ -29,8 +31,9 @@ struct OceanData {
   vec4 foam_map[kFoamLayers];  // x, y: uv of the point below the camera; z: 1 / width (1/m)
   // Foam texture coordinates: foam_grid.xy + (along . q, stretch (along x q)), along = foam_grid.zw.
   vec4 foam_grid;     // x, y: of the point below the camera; z, w: unit along the wind / length
-  vec4 foam_stretch;  // x: length along over length across; y: that times texels per length;
-                      // z: size of the foam map's cells (m) a metre away
+  vec4 foam_stretch;  // x: length along over length across; y: that times 256;
+                      // z: what the foam map's finest cells leave out of the breaking waves' variance
+  vec4 foam_crest;    // what each coarser layer leaves out more of it
   vec4 gust;          // x, y: uv of the point below the camera; z: 1 / period (1/m); w: deviation / mean
   vec4 squall;        // x, y: uv of the point below the camera; z: 1 / period (1/m); w: 1 where there are any
   // Water by linear RGB.
