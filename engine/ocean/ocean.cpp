@@ -40,7 +40,10 @@ ShaderDefines surface_defines(const OceanSettings& settings, bool hull, bool squ
   if (hull) defines.emplace_back("HULL", "");
   if (hull && settings.quality > 0) defines.emplace_back("HULL_SHADOW", "");
   if (squalls) defines.emplace_back("SQUALLS", "");
-  if (settings.quality <= 0) defines.emplace_back("PICK_LEVELS", "");
+  if (settings.quality <= 0) {
+    defines.emplace_back("PICK_LEVELS", "");
+    defines.emplace_back("RIPPLES", "");
+  }
   if (gl::current_renderer().software) defines.emplace_back("FLAT_OCEAN", "");
   return defines;
 }
@@ -198,7 +201,8 @@ void Ocean::show(Sea sea) {
   wind_to_ = sea.wind_to;
   maps_.set_waves(cascades_, choppiness_);
   foam_law_ = foam_law(cascades_, choppiness_, white_share_);
-  const std::vector<glm::vec4> missing = roughness_table(cascades_, slope_variance_);
+  ripples_ = settings_.quality <= 0 ? ripple_share(cascades_, slope_variance_) : 0.0;
+  const std::vector<glm::vec4> missing = roughness_table(cascades_, slope_variance_, ripples_);
   roughness_.upload(GL_RGBA, GL_FLOAT, missing.data());
   // What the foam map's layers do not show of the breaking waves where each ends: of the innermost,
   // then what each has more.
@@ -262,6 +266,17 @@ void Ocean::update_block(const OceanView& view) {
     data.origin[c] = glm::vec4(glm::dvec4(fraction(x * view.eye.x + z * view.eye.y + half),
                                           fraction(x * view.eye.y - z * view.eye.x + half), 0, 0));
   }
+  // Ripples are the finest cascade's waves at a smaller scale; their crests would be too slow by
+  // its root.
+  const std::size_t finest = cascades_.size() - 1;
+  constexpr double kFaster = 0.3;  // m/s
+  const double drift = kFaster * view.time;
+  const glm::dvec2 at = (view.eye - drift * wind_to_) / static_cast<double>(shared::kRippleScale);
+  const CascadeBand& band = cascades_[finest].band;
+  const double x = std::cos(band.angle) / band.length, z = std::sin(band.angle) / band.length;
+  data.origin[finest].z = static_cast<float>(fraction(x * at.x + z * at.y));
+  data.origin[finest].w = static_cast<float>(fraction(x * at.y - z * at.x));
+  data.grid[finest].w = static_cast<float>(std::sqrt(ripples_));
   data.water = glm::vec4(glm::dvec4(statistics_.hs, settings_.cascades,
                                     SeaMesh::kReach * settings_.mesh_cells, mesh_.finest_spacing));
 

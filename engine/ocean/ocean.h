@@ -178,6 +178,7 @@ class Ocean {
   SlopeVariance slope_variance_;
   double choppiness_ = 1.0;
   double white_share_ = 0.0;
+  double ripples_ = 0.0;  ///< see ripple_share()
   double wind_speed_ = 0.0;
   glm::dvec2 wind_to_{0.0, 1.0};
 };

@@ -108,8 +108,7 @@ vec3 sea_radiance(vec4 seen) {
   // Above the mean sea level, over the curved earth.
   float height = diffuse_height.w - distance * view.y +
                  distance * distance * dot(view.xz, view.xz) / kTwiceEarthRadius;
-  Surface surface = read_surface(parameter, seen.z);
-  surface.covariance *= gustiness(parameter);
+  Surface surface = read_surface(parameter, seen.z, gustiness(parameter));
 
   vec3 light = light_time.xyz;
   vec3 direct = direct_exposure.rgb * cloud_shadow(-view * distance);

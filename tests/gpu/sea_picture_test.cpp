@@ -134,7 +134,10 @@ TEST_P(SeaPictureOf, ResolvedAndResidualSlopesMakeTheTotal) {
   const OceanSettings settings = OceanSettings::of_quality(GetParam());
   Ocean ocean(*shaders_, settings);
   ShaderDefines defines{{"CASCADES", std::to_string(settings.cascades)}};
-  if (GetParam() == 0) defines.emplace_back("PICK_LEVELS", "");
+  if (GetParam() == 0) {
+    defines.emplace_back("PICK_LEVELS", "");
+    defines.emplace_back("RIPPLES", "");
+  }
   const ShaderProgram& reader = program("sea_picture.comp", defines);
   Environment environment;
   SeaState state;
