@@ -17,32 +17,22 @@ vec3 probe_read(int level, vec2 units, float below) {
   return textureLod(probe_map, at * probe.texel.xy, 0.0).rgb;
 }
 
-// The level below a roughness (as it lies on the levels' scale) and how much of the next belongs to it:
-// next to the mirror by the square, which is how a small blur grows.
-int probe_first(float rough, out float share) {
-  int first = min(int(rough), kProbeLevels - 2);
-  share = rough - float(first);
-  share = first == 0 ? share * share : share;
-  return first;
-}
-
 // Mean radiance (cd/m^2) that a surface of this roughness mirrors from `direction` (unit): that of a
 // GGX surface of width alpha = roughness^2 seen along its normal (Karis 2013).
 vec3 probe_radiance(vec3 direction, float roughness) {
   vec2 units = probe_units(direction);
   float below = direction.y < 0.0 ? 1.0 : 0.0;
-  float share;
-  int first = probe_first(probe_level(clamp(roughness, 0.0, 1.0)) * float(kProbeLevels - 1), share);
+  float level = probe_level(min(roughness * roughness, 1.0));
+  int first = min(int(level), kProbeLevels - 2);
   return frame.sky_illuminance.rgb * mix(probe_read(first, units, below),
-                                         probe_read(first + 1, units, below), share);
+                                         probe_read(first + 1, units, below), level - float(first));
 }
 
 // One of the two levels that make up probe_radiance(), by chance in proportion; `die`: even over 0 … 1.
 vec3 probe_radiance_picked(vec3 direction, float roughness, float die) {
-  float share;
-  int first = probe_first(probe_level(clamp(roughness, 0.0, 1.0)) * float(kProbeLevels - 1), share);
-  return frame.sky_illuminance.rgb * probe_read(share > die ? first + 1 : first, probe_units(direction),
-                                                direction.y < 0.0 ? 1.0 : 0.0);
+  int level = min(int(probe_level(min(roughness * roughness, 1.0)) + die), kProbeLevels - 1);
+  return frame.sky_illuminance.rgb *
+         probe_read(level, probe_units(direction), direction.y < 0.0 ? 1.0 : 0.0);
 }
 
 // Illuminance (lux) of a surface with this normal (unit) from sky, clouds and sea, without the light
