@@ -28,6 +28,13 @@ vec3 probe_radiance(vec3 direction, float roughness) {
                                          probe_read(first + 1, units, below), level - float(first));
 }
 
+// One of the two levels that make up probe_radiance(), by chance in proportion; `die`: even over 0 … 1.
+vec3 probe_radiance_picked(vec3 direction, float roughness, float die) {
+  int level = min(int(probe_level(min(roughness * roughness, 1.0)) + die), kProbeLevels - 1);
+  return frame.sky_illuminance.rgb *
+         probe_read(level, probe_units(direction), direction.y < 0.0 ? 1.0 : 0.0);
+}
+
 // Illuminance (lux) of a surface with this normal (unit) from sky, clouds and sea, without the light
 // that comes straight from sun and moon.
 vec3 probe_irradiance(vec3 normal) {
