@@ -1,6 +1,7 @@
 // A level of the probe so that what is read between texels and between levels is right in the mean. Where a
 // quantity bends by b over a step, a straight line between its values is too high by b t (1 - t) / 2, in the
-// mean b / 12: taken off the values, the root mean square of what is left is 0.4 of what it was.
+// mean b / 12: taken off the values, the root mean square of what is left is 0.4 of what it was. Where it bends by
+// more than such a line can follow, as at the edges of clouds, next to nothing is taken off.
 #include "lib/probe.glsl"
 #include "shared/bindings.h"
 #include "shared/probe.h"
@@ -37,5 +38,5 @@ void main() {
     float side = below ? 1.0 : 0.0;
     bend += of_level(level - 1, units, side) - 2.0 * here + of_level(level + 1, units, side);
   }
-  imageStore(map, at, vec4(clamp(here - bend / 12.0, 0.5 * here, 1.5 * here), 1.0));
+  imageStore(map, at, vec4(clamp(here - bend / 12.0, 0.94 * here, 1.06 * here), 1.0));
 }
