@@ -1,9 +1,10 @@
 // The light that arrives at the boat from all round, as reflections and as irradiance: sky and clouds
-// above, a mean sea below, without the discs of sun and moon. Needs shared/frame.h before it, and of
+// above, a mean sea below, and lightning, without the discs of sun and moon. Needs shared/frame.h before it, and of
 // the C++ side ProbeIds::read_by() and Probe::bind().
 //
 // The probe holds radiance over the sky's illuminance of a level surface, channel by channel: half
 // floats then hold noon and night alike, and a probe some frames old still has today's brightness.
+#include "lib/flash.glsl"
 #include "lib/probe.glsl"
 #include "shared/bindings.h"
 #include "shared/probe.h"
@@ -28,8 +29,12 @@ vec3 probe_radiance(vec3 direction, float roughness) {
   // Next to the mirror by the square, which is how a small blur grows.
   float share = rough - float(first);
   share = first == 0 ? share * share : share;
-  return frame.sky_illuminance.rgb * mix(probe_read(first, units, below),
-                                         probe_read(first + 1, units, below), share);
+  vec3 radiance = frame.sky_illuminance.rgb * mix(probe_read(first, units, below),
+                                                  probe_read(first + 1, units, below), share);
+  for (int i = 0; i < int(frame.flash_direction.w > 0.0); ++i) {
+    radiance += flash_mirrored(direction, roughness * roughness);
+  }
+  return radiance;
 }
 
 // Illuminance (lux) of a surface with this normal (unit) from sky, clouds and sea, without the light
@@ -41,5 +46,7 @@ vec3 probe_irradiance(vec3 normal) {
              b.product.x * probe.irradiance[4].rgb + b.product.y * probe.irradiance[5].rgb +
              b.product.z * probe.irradiance[6].rgb + b.zonal * probe.irradiance[7].rgb +
              b.sectoral * probe.irradiance[8].rgb + b.ring * probe.irradiance[9].rgb;
-  return frame.sky_illuminance.rgb * max(sum, vec3(0.0));
+  vec3 lux = frame.sky_illuminance.rgb * max(sum, vec3(0.0));
+  for (int i = 0; i < int(frame.flash_direction.w > 0.0); ++i) lux += flash_illuminance(normal);
+  return lux;
 }
