@@ -9,7 +9,6 @@
 #include "engine/gl/debug.h"
 #include "engine/ocean/crossfade.h"
 #include "engine/ocean/fft_moments.h"
-#include "engine/ocean/foam_pattern.h"
 #include "engine/ocean/roughness_table.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/ocean.h"
@@ -22,7 +21,6 @@ namespace {
 
 constexpr double kAtOnce = std::numeric_limits<double>::infinity();
 constexpr double kFoamLength = 7.3;  // m across the wind; no multiple of a cascade's length
-constexpr int kFoamTexels = 256;
 
 /// Foam lies in rows from force 7 on, all over the sea at force 10.
 double streaks(double wind) { return std::clamp((wind - 13.0) / 13.0, 0.0, 1.0); }
@@ -37,11 +35,15 @@ ShaderDefines mesh_defines(const OceanSettings& settings, bool hull, bool two_si
   return defines;
 }
 
-ShaderDefines surface_defines(const OceanSettings& settings, bool hull) {
+ShaderDefines surface_defines(const OceanSettings& settings, bool hull, bool squalls) {
   ShaderDefines defines{{"CASCADES", std::to_string(settings.cascades)}};
   if (hull) defines.emplace_back("HULL", "");
   if (hull && settings.quality > 0) defines.emplace_back("HULL_SHADOW", "");
-  if (settings.quality <= 0) defines.emplace_back("PICK_LEVELS", "");
+  if (squalls) defines.emplace_back("SQUALLS", "");
+  if (settings.quality <= 0) {
+    defines.emplace_back("PICK_LEVELS", "");
+    defines.emplace_back("RIPPLES", "");
+  }
   if (gl::current_renderer().software) defines.emplace_back("FLAT_OCEAN", "");
   return defines;
 }
@@ -49,6 +51,7 @@ ShaderDefines surface_defines(const OceanSettings& settings, bool hull) {
 glm::vec4 rgb(glm::dvec3 v, double w = 0.0) { return glm::vec4(glm::dvec4(v, w)); }
 
 gl::Texture make_gusts() {
+  static_assert(GustField::kSize == shared::kGustTexels);
   gl::Texture texture("sea.gusts",
                       {.format = GL_R16F, .width = GustField::kSize, .height = GustField::kSize});
   texture.upload(GL_RED, GL_FLOAT, gust_field().grid().data());
@@ -79,10 +82,6 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
                                        mesh_defines(settings, true, false))),
       two_sided_mesh_program_(shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"},
                                               mesh_defines(settings, true, true))),
-      surface_(shaders.program({"ocean/surface.vert", "ocean/surface.frag"},
-                               surface_defines(settings, false))),
-      surface_over_hull_(shaders.program({"ocean/surface.vert", "ocean/surface.frag"},
-                                         surface_defines(settings, true))),
       horizon_(shaders.program({"post/full_screen.vert", "ocean/air.frag"})),
       squares_("sea.squares", SeaMesh::kMostSquares * sizeof(SeaMesh::Square)),
       block_("sea.block", sizeof(shared::OceanData)),
@@ -93,7 +92,7 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
       foam_sampler_("sea.foam", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
       line_sampler_("sea.lines", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
       wrap_sampler_("sea.wrapped", GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
-      foam_(make_foam_pattern(kFoamTexels)),
+      foam_(make_foam_patterns()),
       gusts_(make_gusts()),
       squalls_("sea.squalls", {.format = GL_R16F}),
       roughness_("sea.roughness",
@@ -102,6 +101,17 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
       spray_(shaders, settings.quality),
       underwater_(shaders, settings.quality) {
   make_grid();
+  surface_program(false, false);
+  surface_program(true, false);
+}
+
+const ShaderProgram& Ocean::surface_program(bool hull, bool squalls) {
+  const ShaderProgram*& program = surface_[hull ? 1 : 0][squalls ? 1 : 0];
+  if (program == nullptr) {
+    program = &shaders_.program({"ocean/surface.vert", "ocean/surface.frag"},
+                                surface_defines(settings_, hull, squalls));
+  }
+  return *program;
 }
 
 void Ocean::make_grid() {
@@ -191,7 +201,24 @@ void Ocean::show(Sea sea) {
   wind_to_ = sea.wind_to;
   maps_.set_waves(cascades_, choppiness_);
   foam_law_ = foam_law(cascades_, choppiness_, white_share_);
-  roughness_.upload(GL_RGBA, GL_FLOAT, roughness_table(cascades_, slope_variance_).data());
+  ripples_ = settings_.quality <= 0 ? ripple_share(cascades_, slope_variance_) : 0.0;
+  const std::vector<glm::vec4> missing = roughness_table(cascades_, slope_variance_, ripples_);
+  roughness_.upload(GL_RGBA, GL_FLOAT, missing.data());
+  // What the foam map's layers do not show of the breaking waves where each ends: of the innermost,
+  // then what each has more.
+  constexpr double kCellHere =
+      1.6;  // in the next layer, half of the way there, cells are 4 times as wide
+  float before = 0.0f;
+  for (std::size_t layer = 0; layer < foam_crest_.size(); ++layer) {
+    const double size_log2 =
+        std::log2(kCellHere * foam_map_.width(static_cast<int>(layer)) / settings_.foam_size);
+    const double entry = (size_log2 - shared::kRoughnessFirst) * shared::kRoughnessSteps;
+    const float now = missing[static_cast<std::size_t>(std::clamp(
+                                  std::lround(entry), 0l, static_cast<long>(missing.size()) - 1))]
+                          .w;
+    foam_crest_[layer] = now - before;
+    before = now;
+  }
   ++shown_;
 }
 
@@ -239,6 +266,17 @@ void Ocean::update_block(const OceanView& view) {
     data.origin[c] = glm::vec4(glm::dvec4(fraction(x * view.eye.x + z * view.eye.y + half),
                                           fraction(x * view.eye.y - z * view.eye.x + half), 0, 0));
   }
+  // Ripples are the finest cascade's waves at a smaller scale; their crests would be too slow by
+  // its root.
+  const std::size_t finest = cascades_.size() - 1;
+  constexpr double kFaster = 0.3;  // m/s
+  const double drift = kFaster * view.time;
+  const glm::dvec2 at = (view.eye - drift * wind_to_) / static_cast<double>(shared::kRippleScale);
+  const CascadeBand& band = cascades_[finest].band;
+  const double x = std::cos(band.angle) / band.length, z = std::sin(band.angle) / band.length;
+  data.origin[finest].z = static_cast<float>(fraction(x * at.x + z * at.y));
+  data.origin[finest].w = static_cast<float>(fraction(x * at.y - z * at.x));
+  data.grid[finest].w = static_cast<float>(std::sqrt(ripples_));
   data.water = glm::vec4(glm::dvec4(statistics_.hs, settings_.cascades,
                                     SeaMesh::kReach * settings_.mesh_cells, mesh_.finest_spacing));
 
@@ -259,8 +297,8 @@ void Ocean::update_block(const OceanView& view) {
   const double v = stretch * (along.x * view.eye.y - along.y * view.eye.x);
   data.foam_grid =
       glm::vec4(glm::dvec4(8.0 * fraction(u / 8.0), 8.0 * fraction(v / 8.0), along.x, along.y));
-  data.foam_stretch =
-      glm::vec4(glm::dvec4(stretch, stretch * kFoamTexels, 3.6 / settings_.foam_size, 0));
+  data.foam_stretch = glm::vec4(glm::dvec4(stretch, stretch * 256.0, foam_crest_[0], 0));
+  data.foam_crest = glm::vec4(foam_crest_[1], foam_crest_[2], foam_crest_[3], foam_crest_[4]);
 
   const glm::dvec2 gust = (view.eye - view.gust_origin) / GustField::kPeriod;
   data.gust = glm::vec4(glm::dvec4(fraction(gust.x), fraction(gust.y), 1.0 / GustField::kPeriod,

@@ -9,7 +9,6 @@ namespace offing {
 namespace {
 
 constexpr double kAnyDistance = std::numeric_limits<double>::infinity();
-constexpr int kHorizonTexels = 256;         // of the sky's strip
 constexpr double kTallestWave = 1.5;        // over Hs: none in a day's 10 000 waves is higher
 constexpr double kFarthestInWater = 250.0;  // m: no surface is seen from below beyond that
 
@@ -18,11 +17,15 @@ constexpr double kFarthestInWater = 250.0;  // m: no surface is seen from below 
 void Ocean::bind_surface(const PassContext& context, const SeaIds& sea) const {
   context.texture(sea.displacement).bind(0);
   context.texture(sea.slopes).bind(1);
-  foam_.bind(2);
+  foam_.bubbles.bind(2);
+  foam_.lace.bind(OFFING_UNIT_FOAM_LACE);
+  foam_.rows.bind(OFFING_UNIT_FOAM_ROWS);
   roughness_.bind(OFFING_UNIT_SEA_ROUGHNESS);
   map_sampler_.bind(0);
   map_sampler_.bind(1);
-  foam_sampler_.bind(2);
+  for (const GLuint unit : {2u, GLuint{OFFING_UNIT_FOAM_LACE}, GLuint{OFFING_UNIT_FOAM_ROWS}}) {
+    foam_sampler_.bind(unit);
+  }
   line_sampler_.bind(OFFING_UNIT_SEA_ROUGHNESS);
   block_.bind_uniform(OFFING_BIND_OCEAN);
 }
@@ -38,7 +41,8 @@ void Ocean::show_squalls(const std::shared_ptr<const SquallField>& squalls) {
 
 void Ocean::unbind_samplers() {
   for (const GLuint unit : {0u, 1u, 2u, 4u, GLuint{OFFING_UNIT_GUSTS}, GLuint{OFFING_UNIT_SQUALLS},
-                            GLuint{OFFING_UNIT_FOAM}, GLuint{OFFING_UNIT_SEA_ROUGHNESS}}) {
+                            GLuint{OFFING_UNIT_FOAM}, GLuint{OFFING_UNIT_SEA_ROUGHNESS},
+                            GLuint{OFFING_UNIT_FOAM_LACE}, GLuint{OFFING_UNIT_FOAM_ROWS}}) {
     glBindSampler(unit, 0);
   }
 }
@@ -109,11 +113,16 @@ void Ocean::add_mesh(FrameGraph& graph, const OceanView& view, const SeaIds& sea
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_GREATER);
         glDepthMask(GL_TRUE);
-        glDisable(GL_CULL_FACE);
+        // Far waves turn many backs. (What is folded over a crest goes with them: the sea lies
+        // under it.)
+        (wet ? glDisable : glEnable)(GL_CULL_FACE);
+        glCullFace(GL_BACK);
+        glFrontFace(GL_CCW);
         glDisable(GL_BLEND);
         array_.bind();
         glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr,
                                 static_cast<GLsizei>(squares.size()));
+        glDisable(GL_CULL_FACE);
         glDisable(GL_DEPTH_TEST);
         glBindSampler(0, 0);
       });
@@ -135,7 +144,7 @@ void Ocean::add_hull(FrameGraph& graph, TextureId hdr, TextureId hull, bool show
 
 TextureId Ocean::add_horizon(FrameGraph& graph, const LightAccess& sky, bool visible) const {
   const TextureId horizon =
-      graph.create("sea.air", {.format = GL_RGBA32F, .width = kHorizonTexels, .height = 1});
+      graph.create("sea.air", {.format = GL_RGBA32F, .width = shared::kHorizonTexels, .height = 1});
   graph.add(
       "sea.air",
       [&](PassBuilder& pass) {
@@ -146,7 +155,7 @@ TextureId Ocean::add_horizon(FrameGraph& graph, const LightAccess& sky, bool vis
       [this, bind_sky = sky.bind](const PassContext& context) {
         bind_sky(context);
         horizon_.use();
-        horizon_.program().set(0, static_cast<float>(kHorizonTexels));
+        horizon_.program().set(0, static_cast<float>(shared::kHorizonTexels));
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_BLEND);
         no_vertices_.bind();
@@ -186,6 +195,8 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
   add_hull(graph, hdr, hull, hull_shows);
   const TextureId horizon = add_horizon(graph, sky, !nothing_in_view && !submerged);
 
+  const ShaderProgram& program = surface_program(hull_shows, view.squalls && view.squalls->any());
+
   graph.add(
       "sea.draw",
       [&](PassBuilder& pass) {
@@ -195,13 +206,14 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
         pass.read(depth, Access::kAttachment).modify(hdr).render_to({hdr}, depth);
         pass.skip_if(nothing_in_view || submerged);
       },
-      [this, sea, above, foam, horizon, dry, hull, hull_shows,
+      [this, sea, above, foam, horizon, dry, hull, hull_shows, &surface = program,
        bind_sky = sky.bind](const PassContext& context) {
         bind_surface(context, sea);
         if (settings_.quality <= 0) {  // whole levels: see sea_map_level_picked()
           level_sampler_.bind(0);
           level_sampler_.bind(1);
-          level_sampler_.bind(2);
+          level_sampler_.bind(OFFING_UNIT_FOAM_LACE);
+          level_sampler_.bind(OFFING_UNIT_FOAM_ROWS);
         }
         context.texture(above).bind(3);
         context.texture(horizon).bind(4);
@@ -217,7 +229,7 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
         context.texture(foam).bind(OFFING_UNIT_FOAM);
         wrap_sampler_.bind(OFFING_UNIT_FOAM);
         bind_sky(context);
-        (hull_shows ? surface_over_hull_ : surface_).use();
+        surface.use();
         // Infinitely far away, and only where something is nearer: no work for the sky's pixels.
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LESS);

@@ -18,23 +18,32 @@ vec3 probe_read(int level, vec2 units, float below) {
   return textureLod(probe_map, at * probe.texel.xy, 0.0).rgb;
 }
 
+vec3 with_flash(vec3 radiance, vec3 direction, float roughness) {
+  for (int i = 0; i < int(frame.flash_direction.w > 0.0); ++i) {
+    radiance += flash_mirrored(direction, roughness * roughness);
+  }
+  return radiance;
+}
+
 // Mean radiance (cd/m^2) that a surface of this roughness mirrors from `direction` (unit): that of a
 // GGX surface of width alpha = roughness^2 seen along its normal (Karis 2013).
 vec3 probe_radiance(vec3 direction, float roughness) {
   vec2 units = probe_units(direction);
   float below = direction.y < 0.0 ? 1.0 : 0.0;
-  const float kSteps = float(kProbeLevels - 1);
-  float rough = probe_level(clamp(roughness, 0.0, 1.0)) * kSteps;
-  int first = min(int(rough), kProbeLevels - 2);
-  // Next to the mirror by the square, which is how a small blur grows.
-  float share = rough - float(first);
-  share = first == 0 ? share * share : share;
-  vec3 radiance = frame.sky_illuminance.rgb * mix(probe_read(first, units, below),
-                                                  probe_read(first + 1, units, below), share);
-  for (int i = 0; i < int(frame.flash_direction.w > 0.0); ++i) {
-    radiance += flash_mirrored(direction, roughness * roughness);
-  }
-  return radiance;
+  float level = probe_level(min(roughness * roughness, 1.0));
+  int first = min(int(level), kProbeLevels - 2);
+  return with_flash(frame.sky_illuminance.rgb * mix(probe_read(first, units, below),
+                                                    probe_read(first + 1, units, below),
+                                                    level - float(first)),
+                    direction, roughness);
+}
+
+// One of the two levels that make up probe_radiance(), by chance in proportion; `die`: even over 0 … 1.
+vec3 probe_radiance_picked(vec3 direction, float roughness, float die) {
+  int level = min(int(probe_level(min(roughness * roughness, 1.0)) + die), kProbeLevels - 1);
+  return with_flash(frame.sky_illuminance.rgb *
+                        probe_read(level, probe_units(direction), direction.y < 0.0 ? 1.0 : 0.0),
+                    direction, roughness);
 }
 
 // Illuminance (lux) of a surface with this normal (unit) from sky, clouds and sea, without the light

@@ -125,14 +125,20 @@ TEST_F(SeaPicture, WhitecapsCoverTheShareThatWasObserved) {
   }
 }
 
-// What is really drawn in low, where a pixel reads one of two map levels, plus what it takes for
-// roughness, is the total, from one's feet to 5 km. Waves are taken as they are before they are
-// drawn together.
-TEST_F(SeaPicture, ResolvedAndResidualSlopesMakeTheTotal) {
-  const OceanSettings settings = OceanSettings::of_quality(0);
+// What is really drawn in low, where a pixel reads one of two map levels, and in medium, plus what
+// is taken for roughness, is the total, from one's feet to 5 km. Waves are taken as they are before
+// they are drawn together.
+class SeaPictureOf : public SeaPicture, public ::testing::WithParamInterface<int> {};
+INSTANTIATE_TEST_SUITE_P(Quality, SeaPictureOf, ::testing::Values(0, 1));
+TEST_P(SeaPictureOf, ResolvedAndResidualSlopesMakeTheTotal) {
+  const OceanSettings settings = OceanSettings::of_quality(GetParam());
   Ocean ocean(*shaders_, settings);
-  const ShaderProgram& reader = program(
-      "sea_picture.comp", {{"CASCADES", std::to_string(settings.cascades)}, {"PICK_LEVELS", ""}});
+  ShaderDefines defines{{"CASCADES", std::to_string(settings.cascades)}};
+  if (GetParam() == 0) {
+    defines.emplace_back("PICK_LEVELS", "");
+    defines.emplace_back("RIPPLES", "");
+  }
+  const ShaderProgram& reader = program("sea_picture.comp", defines);
   Environment environment;
   SeaState state;
   state.choppiness = 0.0;
