@@ -23,7 +23,8 @@ constexpr int kHeap = 7;                // ellipsoids of a cumulus at most
 constexpr int kMostEllipsoids = (2 * kCellsAcross + 1) * (2 * kCellsAcross + 1) * kHeap;
 constexpr int kDomeVertices = 96 * 3;  // as in sky/dome.vert
 constexpr int kTileTexels = 512;       // of one period
-constexpr int kHighScale = 3;          // pixels of high clouds are so many of the screen's wide
+// Pixels of high clouds are so many of the screen's wide and high: the plane is seen at a slant.
+constexpr glm::ivec2 kHighCell{4, 2};
 
 glm::vec4 pack(const glm::dvec3& v, double w) { return {glm::vec3(v), static_cast<float>(w)}; }
 glm::vec4 pack(double x, double y, double z, double w) { return glm::vec4(glm::dvec4(x, y, z, w)); }
@@ -139,7 +140,7 @@ GardnerClouds::GardnerClouds(ShaderLibrary& shaders)
 void GardnerClouds::add_high(FrameGraph& graph, const GardnerView& view, const Sky& sky,
                              const SkyIds& sky_ids, BufferId block, TextureId hdr, TextureId depth,
                              bool visible) {
-  const glm::ivec2 size = (view.size + kHighScale - 1) / kHighScale;
+  const glm::ivec2 size = (view.size + kHighCell - 1) / kHighCell;
   if (!high_ || glm::ivec2(high_.width(), high_.height()) != size) {
     high_ = {"gardner high", {.format = GL_RGBA16F, .width = size.x, .height = size.y}};
   }
@@ -178,8 +179,8 @@ void GardnerClouds::add_high(FrameGraph& graph, const GardnerView& view, const S
         no_vertices_.bind();
         high_program_.use();
         // A little beyond the horizon, for the filter between pixels.
-        high_program_.program().set(0, static_cast<float>(kHighScale));
-        high_program_.program().set(1, static_cast<float>(kHighScale));
+        high_program_.program().set(0, static_cast<float>(kHighCell.y));
+        high_program_.program().set(1, glm::vec2(kHighCell));
         glDrawArrays(GL_TRIANGLES, 0, kDomeVertices);
         glBindSampler(0, 0);
       });
@@ -199,7 +200,7 @@ void GardnerClouds::add_high(FrameGraph& graph, const GardnerView& view, const S
         composite_program_.use();
         composite_program_.program().set(0, 1.0f);
         composite_program_.program().set(
-            1, 1.0f / glm::vec2(high_.width() * kHighScale, high_.height() * kHighScale));
+            1, 1.0f / glm::vec2(glm::ivec2(high_.width(), high_.height()) * kHighCell));
         glDrawArrays(GL_TRIANGLES, 0, kDomeVertices);
       });
 }

@@ -1,17 +1,21 @@
 #include "engine/ocean/foam_pattern.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <vector>
 
 #include "engine/core/random.h"
+#include "shaders/shared/foam.h"
 
 namespace offing {
 namespace {
 
-constexpr double kDeviations = 3.2;  // that black and white stand for: kFoamDeviations of foam.glsl
+using namespace shared;
+
+constexpr double kMostDeviations = 3.2;  // on either side of a pattern's mean
 
 /// Distance to the nearest of one random point per cell, in cells; repeats after `cells`.
 double nearest_bubble(double x, double y, int cells, std::uint64_t seed) {
@@ -29,9 +33,32 @@ double nearest_bubble(double x, double y, int cells, std::uint64_t seed) {
   return std::sqrt(nearest);
 }
 
-}  // namespace
+/// A repeating square of values, read by straight lines between them.
+class Pattern {
+ public:
+  Pattern(int size, std::vector<float> values) : size_(size), values_(std::move(values)) {}
+  /// At a place in periods.
+  double operator()(double x, double y) const {
+    const double u = size_ * (x - std::floor(x)) - 0.5, v = size_ * (y - std::floor(y)) - 0.5;
+    const double i = std::floor(u), j = std::floor(v);
+    const auto row = [&](int z) {
+      return std::lerp(at(static_cast<int>(i), z), at(static_cast<int>(i) + 1, z), u - i);
+    };
+    return std::lerp(row(static_cast<int>(j)), row(static_cast<int>(j) + 1), v - j);
+  }
+  const std::vector<float>& values() const { return values_; }
 
-gl::Texture make_foam_pattern(int size) {
+ private:
+  double at(int x, int y) const {
+    const int last = size_ - 1;  // of a power of two
+    return static_cast<double>(values_[static_cast<std::size_t>((y & last) * size_ + (x & last))]);
+  }
+  int size_;
+  std::vector<float> values_;
+};
+
+/// Walls between bubbles, normal with variance 1.
+Pattern bubbles(int size) {
   const auto count = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
   std::vector<double> height(count);
   for (int y = 0; y < size; ++y) {
@@ -55,22 +82,65 @@ gl::Texture make_foam_pattern(int size) {
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t a, std::uint32_t b) { return height[a] < height[b]; });
   // The rank of a value, as a share, is the normal distribution's at what is stored for it.
-  std::vector<std::uint8_t> pixels(count);
-  int value = 0;
+  std::vector<float> values(count);
+  double value = -kMostDeviations;
   for (std::size_t rank = 0; rank < count; ++rank) {
     const double share = (static_cast<double>(rank) + 0.5) / static_cast<double>(count);
-    const auto edge = [&] { return kDeviations * (2.0 * (value + 0.5) / 255.0 - 1.0); };
-    while (value < 255 && 0.5 * std::erfc(-edge() / std::sqrt(2.0)) < share) ++value;
-    pixels[order[rank]] = static_cast<std::uint8_t>(value);
+    while (value < kMostDeviations && 0.5 * std::erfc(-value / std::sqrt(2.0)) < share) {
+      value += 0.002;
+    }
+    values[order[rank]] = static_cast<float>(value);
   }
-  // Floats, because a CPU renderer filters bytes more slowly.
-  gl::Texture texture("sea.foam", {.format = GL_R32F,
-                                   .width = size,
-                                   .height = size,
-                                   .levels = gl::full_mip_levels(size, size)});
-  texture.upload(GL_RED, GL_UNSIGNED_BYTE, pixels.data());
+  return {size, std::move(values)};
+}
+
+// Floats, because a CPU renderer filters bytes more slowly.
+gl::Texture texture_of(const char* label, GLenum format, GLenum channels, int size,
+                       const std::vector<float>& values) {
+  gl::Texture texture(
+      label,
+      {.format = format, .width = size, .height = size, .levels = gl::full_mip_levels(size, size)});
+  texture.upload(channels, GL_FLOAT, values.data());
   texture.generate_mipmaps();
   return texture;
+}
+
+/// `values` of every texel's middle, in units of the foam's grid, of a picture that covers
+/// `period`.
+template <typename Values>
+std::vector<float> painted(int size, double period, const Values& values) {
+  std::vector<float> pixels;
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      for (const double value : values(period * (x + 0.5) / size, period * (y + 0.5) / size)) {
+        pixels.push_back(static_cast<float>(value));
+      }
+    }
+  }
+  return pixels;
+}
+
+}  // namespace
+
+FoamPatterns make_foam_patterns() {
+  constexpr int kBubbleTexels = 256;
+  const Pattern pattern = bubbles(kBubbleTexels);
+  // Deviations of lace and bubbles, of torn patches, and of lines along the wind that join and
+  // part, in rows. Factors are whole numbers over the period.
+  const auto fine = [&](double x, double y) {
+    return std::array{kFoamLace * pattern(1.5 * x, y) + kFoamBubbles * pattern(3.0 * y, 4.5 * x)};
+  };
+  const auto wide = [&](double x, double y) {
+    return std::array{pattern(0.375 * x, 0.25 * y),
+                      kStreakRows * pattern(0.125 * x, 0.125 * y) +
+                          kStreakLines * pattern(0.125 * x, 0.625 * y + 0.125 * x) +
+                          kStreakThreads * pattern(0.25 * x, 1.75 * y - 0.125 * x)};
+  };
+  return {texture_of("sea.foam", GL_R32F, GL_RED, kBubbleTexels, pattern.values()),
+          texture_of("sea.foam_lace", GL_R32F, GL_RED, kFoamTexels,
+                     painted(kFoamTexels, kFoamLacePeriod, fine)),
+          texture_of("sea.foam_rows", GL_RG32F, GL_RG, kFoamTexels,
+                     painted(kFoamTexels, kFoamRowsPeriod, wide))};
 }
 
 }  // namespace offing

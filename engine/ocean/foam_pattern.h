@@ -3,9 +3,14 @@
 
 namespace offing {
 
-/// A repeating picture of bubbles and holes, one channel, with all its levels. Its values are
-/// normally distributed with mean 1/2 and 3.2 deviations from there to 0 and 1, and so are sums of
-/// them: a threshold makes any share of them white.
-gl::Texture make_foam_pattern(int size);
+/// Repeating pictures that make a share of foam into white, with all their levels. They hold
+/// deviations from the mean, normally distributed, and so are sums of them: a threshold makes any
+/// share of them white.
+struct FoamPatterns {
+  gl::Texture bubbles;  ///< walls between bubbles, variance 1
+  gl::Texture lace;     ///< lace and finer bubbles, weighted: kFoamLace, kFoamBubbles
+  gl::Texture rows;     ///< red: torn patches, variance 1; green: streaks, weighted: kStreak…
+};
+FoamPatterns make_foam_patterns();
 
 }  // namespace offing

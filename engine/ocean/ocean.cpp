@@ -9,7 +9,6 @@
 #include "engine/gl/debug.h"
 #include "engine/ocean/crossfade.h"
 #include "engine/ocean/fft_moments.h"
-#include "engine/ocean/foam_pattern.h"
 #include "engine/ocean/roughness_table.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/ocean.h"
@@ -21,12 +20,7 @@ namespace offing {
 namespace {
 
 constexpr double kAtOnce = std::numeric_limits<double>::infinity();
-constexpr std::size_t kMaxSquares = 8192;
 constexpr double kFoamLength = 7.3;  // m across the wind; no multiple of a cascade's length
-constexpr int kFoamTexels = 256;
-constexpr int kHorizonTexels = 256;         // of the sky's strip
-constexpr double kTallestWave = 1.5;        // over Hs: none in a day's 10 000 waves is higher
-constexpr double kFarthestInWater = 250.0;  // m: no surface is seen from below beyond that
 
 /// Foam lies in rows from force 7 on, all over the sea at force 10.
 double streaks(double wind) { return std::clamp((wind - 13.0) / 13.0, 0.0, 1.0); }
@@ -41,11 +35,15 @@ ShaderDefines mesh_defines(const OceanSettings& settings, bool hull, bool two_si
   return defines;
 }
 
-ShaderDefines surface_defines(const OceanSettings& settings, bool hull) {
+ShaderDefines surface_defines(const OceanSettings& settings, bool hull, bool squalls) {
   ShaderDefines defines{{"CASCADES", std::to_string(settings.cascades)}};
   if (hull) defines.emplace_back("HULL", "");
   if (hull && settings.quality > 0) defines.emplace_back("HULL_SHADOW", "");
-  if (settings.quality <= 0) defines.emplace_back("PICK_LEVELS", "");
+  if (squalls) defines.emplace_back("SQUALLS", "");
+  if (settings.quality <= 0) {
+    defines.emplace_back("PICK_LEVELS", "");
+    defines.emplace_back("RIPPLES", "");
+  }
   if (gl::current_renderer().software) defines.emplace_back("FLAT_OCEAN", "");
   return defines;
 }
@@ -53,6 +51,7 @@ ShaderDefines surface_defines(const OceanSettings& settings, bool hull) {
 glm::vec4 rgb(glm::dvec3 v, double w = 0.0) { return glm::vec4(glm::dvec4(v, w)); }
 
 gl::Texture make_gusts() {
+  static_assert(GustField::kSize == shared::kGustTexels);
   gl::Texture texture("sea.gusts",
                       {.format = GL_R16F, .width = GustField::kSize, .height = GustField::kSize});
   texture.upload(GL_RED, GL_FLOAT, gust_field().grid().data());
@@ -83,12 +82,8 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
                                        mesh_defines(settings, true, false))),
       two_sided_mesh_program_(shaders.program({"ocean/mesh.vert", "ocean/mesh.frag"},
                                               mesh_defines(settings, true, true))),
-      surface_(shaders.program({"ocean/surface.vert", "ocean/surface.frag"},
-                               surface_defines(settings, false))),
-      surface_over_hull_(shaders.program({"ocean/surface.vert", "ocean/surface.frag"},
-                                         surface_defines(settings, true))),
       horizon_(shaders.program({"post/full_screen.vert", "ocean/air.frag"})),
-      squares_("sea.squares", kMaxSquares * sizeof(SeaMesh::Square)),
+      squares_("sea.squares", SeaMesh::kMostSquares * sizeof(SeaMesh::Square)),
       block_("sea.block", sizeof(shared::OceanData)),
       array_("sea.mesh"),
       no_vertices_("sea.picture"),
@@ -97,7 +92,7 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
       foam_sampler_("sea.foam", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
       line_sampler_("sea.lines", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
       wrap_sampler_("sea.wrapped", GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT),
-      foam_(make_foam_pattern(kFoamTexels)),
+      foam_(make_foam_patterns()),
       gusts_(make_gusts()),
       squalls_("sea.squalls", {.format = GL_R16F}),
       roughness_("sea.roughness",
@@ -106,6 +101,17 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
       spray_(shaders, settings.quality),
       underwater_(shaders, settings.quality) {
   make_grid();
+  surface_program(false, false);
+  surface_program(true, false);
+}
+
+const ShaderProgram& Ocean::surface_program(bool hull, bool squalls) {
+  const ShaderProgram*& program = surface_[hull ? 1 : 0][squalls ? 1 : 0];
+  if (program == nullptr) {
+    program = &shaders_.program({"ocean/surface.vert", "ocean/surface.frag"},
+                                surface_defines(settings_, hull, squalls));
+  }
+  return *program;
 }
 
 void Ocean::make_grid() {
@@ -195,7 +201,24 @@ void Ocean::show(Sea sea) {
   wind_to_ = sea.wind_to;
   maps_.set_waves(cascades_, choppiness_);
   foam_law_ = foam_law(cascades_, choppiness_, white_share_);
-  roughness_.upload(GL_RGBA, GL_FLOAT, roughness_table(cascades_, slope_variance_).data());
+  ripples_ = settings_.quality <= 0 ? ripple_share(cascades_, slope_variance_) : 0.0;
+  const std::vector<glm::vec4> missing = roughness_table(cascades_, slope_variance_, ripples_);
+  roughness_.upload(GL_RGBA, GL_FLOAT, missing.data());
+  // What the foam map's layers do not show of the breaking waves where each ends: of the innermost,
+  // then what each has more.
+  constexpr double kCellHere =
+      1.6;  // in the next layer, half of the way there, cells are 4 times as wide
+  float before = 0.0f;
+  for (std::size_t layer = 0; layer < foam_crest_.size(); ++layer) {
+    const double size_log2 =
+        std::log2(kCellHere * foam_map_.width(static_cast<int>(layer)) / settings_.foam_size);
+    const double entry = (size_log2 - shared::kRoughnessFirst) * shared::kRoughnessSteps;
+    const float now = missing[static_cast<std::size_t>(std::clamp(
+                                  std::lround(entry), 0l, static_cast<long>(missing.size()) - 1))]
+                          .w;
+    foam_crest_[layer] = now - before;
+    before = now;
+  }
   ++shown_;
 }
 
@@ -243,6 +266,17 @@ void Ocean::update_block(const OceanView& view) {
     data.origin[c] = glm::vec4(glm::dvec4(fraction(x * view.eye.x + z * view.eye.y + half),
                                           fraction(x * view.eye.y - z * view.eye.x + half), 0, 0));
   }
+  // Ripples are the finest cascade's waves at a smaller scale; their crests would be too slow by
+  // its root.
+  const std::size_t finest = cascades_.size() - 1;
+  constexpr double kFaster = 0.3;  // m/s
+  const double drift = kFaster * view.time;
+  const glm::dvec2 at = (view.eye - drift * wind_to_) / static_cast<double>(shared::kRippleScale);
+  const CascadeBand& band = cascades_[finest].band;
+  const double x = std::cos(band.angle) / band.length, z = std::sin(band.angle) / band.length;
+  data.origin[finest].z = static_cast<float>(fraction(x * at.x + z * at.y));
+  data.origin[finest].w = static_cast<float>(fraction(x * at.y - z * at.x));
+  data.grid[finest].w = static_cast<float>(std::sqrt(ripples_));
   data.water = glm::vec4(glm::dvec4(statistics_.hs, settings_.cascades,
                                     SeaMesh::kReach * settings_.mesh_cells, mesh_.finest_spacing));
 
@@ -263,8 +297,8 @@ void Ocean::update_block(const OceanView& view) {
   const double v = stretch * (along.x * view.eye.y - along.y * view.eye.x);
   data.foam_grid =
       glm::vec4(glm::dvec4(8.0 * fraction(u / 8.0), 8.0 * fraction(v / 8.0), along.x, along.y));
-  data.foam_stretch =
-      glm::vec4(glm::dvec4(stretch, stretch * kFoamTexels, 3.6 / settings_.foam_size, 0));
+  data.foam_stretch = glm::vec4(glm::dvec4(stretch, stretch * 256.0, foam_crest_[0], 0));
+  data.foam_crest = glm::vec4(foam_crest_[1], foam_crest_[2], foam_crest_[3], foam_crest_[4]);
 
   const glm::dvec2 gust = (view.eye - view.gust_origin) / GustField::kPeriod;
   data.gust = glm::vec4(glm::dvec4(fraction(gust.x), fraction(gust.y), 1.0 / GustField::kPeriod,
@@ -285,232 +319,6 @@ void Ocean::update_block(const OceanView& view) {
   data.absorption = rgb(body.absorption);
   data.backscatter = rgb(body.backscatter);
   block_.write(data);
-}
-
-void Ocean::bind_surface(const PassContext& context, const SeaIds& sea) const {
-  context.texture(sea.displacement).bind(0);
-  context.texture(sea.slopes).bind(1);
-  foam_.bind(2);
-  roughness_.bind(OFFING_UNIT_SEA_ROUGHNESS);
-  map_sampler_.bind(0);
-  map_sampler_.bind(1);
-  foam_sampler_.bind(2);
-  line_sampler_.bind(OFFING_UNIT_SEA_ROUGHNESS);
-  block_.bind_uniform(OFFING_BIND_OCEAN);
-}
-
-void Ocean::show_squalls(const std::shared_ptr<const SquallField>& squalls) {
-  if (!squalls || !squalls->any() || squalls == squalls_shown_) return;
-  const gl::TextureDesc desc{
-      .format = GL_R16F, .width = squalls->size(), .height = squalls->size()};
-  if (squalls_.desc() != desc) squalls_ = gl::Texture("sea.squalls", desc);
-  squalls_.upload(GL_RED, GL_FLOAT, squalls->strength().data());
-  squalls_shown_ = squalls;
-}
-
-void Ocean::unbind_samplers() {
-  for (const GLuint unit : {0u, 1u, 2u, 4u, GLuint{OFFING_UNIT_GUSTS}, GLuint{OFFING_UNIT_SQUALLS},
-                            GLuint{OFFING_UNIT_FOAM}, GLuint{OFFING_UNIT_SEA_ROUGHNESS}}) {
-    glBindSampler(unit, 0);
-  }
-}
-
-Lens Ocean::lens(glm::dvec3 eye, std::span<const glm::vec3> corners, double time) const {
-  const double crests = kTallestWave * statistics_.hs + 0.2;
-  const auto [lowest, highest] =
-      std::minmax_element(corners.begin(), corners.end(),
-                          [](const glm::vec3& a, const glm::vec3& b) { return a.y < b.y; });
-  const double low = eye.y + static_cast<double>(lowest->y);
-  const double high = eye.y + static_cast<double>(highest->y);
-  if (low > crests) return Lens::kDry;
-  if (high < -crests) return Lens::kSubmerged;
-  if (fading_ || water_.age(time) > 0.0) return Lens::kCrossing;
-
-  std::vector<glm::dvec2> places;
-  for (const glm::vec3& corner : corners) {
-    places.emplace_back(eye.x + static_cast<double>(corner.x),
-                        eye.z + static_cast<double>(corner.z));
-  }
-  std::vector<WaterSample> water(places.size());
-  water_.sample(places, time, water);
-  double unknown = 0.0;  // variance of the waves that queries leave out
-  for (std::size_t c = static_cast<std::size_t>(settings_.query_cascades); c < cascades_.size();
-       ++c) {
-    unknown += cascades_[c].variance;
-  }
-  const double margin = 5.0 * std::sqrt(unknown) + 0.03;
-  bool all_above = true, all_below = true;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const double over = eye.y + static_cast<double>(corners[i].y) - water[i].height;
-    all_above = all_above && over > margin;
-    all_below = all_below && over < -margin;
-  }
-  return all_above ? Lens::kDry : all_below ? Lens::kSubmerged : Lens::kCrossing;
-}
-
-TextureId Ocean::add_foam(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
-                          bool visible) {
-  if (visible) update_block(view);
-  return foam_map_.add(graph, sea, view.eye, view.time, shown_, visible,
-                       [this, sea](const PassContext& context) { bind_surface(context, sea); });
-}
-
-UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
-                              const LightAccess& sky, TextureId dry, TextureId hdr, TextureId depth,
-                              bool visible) {
-  const bool wet = view.lens != Lens::kDry;
-  const bool submerged = view.lens == Lens::kSubmerged;
-  std::vector<SeaMesh::Square> squares;
-  if (visible || wet) {
-    squares = mesh_.select(view.eye, view.eye_height, 1.2 * statistics_.hs + 0.1,
-                           view.clip_from_relative, submerged ? kFarthestInWater : kAtOnce);
-    if (squares.size() > kMaxSquares) squares.resize(kMaxSquares);
-  }
-  const bool nothing_in_view = squares.empty();
-  show_squalls(view.squalls);
-  gl::TextureDesc seen_desc = graph.desc(hdr);
-  const TextureId hull = graph.create("sea.hull", seen_desc);
-  seen_desc.format = GL_RGBA32F;
-  const TextureId seen = graph.create("sea.seen", seen_desc);
-  UnderwaterIds ids{.lens = view.lens, .solid = {}, .below = seen, .beyond = {}};
-  ids.solid = underwater_.add_solid(graph, depth, wet);
-  const TextureId foam = add_foam(graph, view, sea, !nothing_in_view || wet);
-
-  const bool about_hull = view.hull_in_view || wet;
-  graph.add(
-      "sea.mesh",
-      [&](PassBuilder& pass) {
-        pass.read(sea.displacement);
-        if (about_hull) pass.read(dry);
-        pass.write(seen, Access::kAttachment).modify(depth).render_to({seen}, depth);
-        pass.skip_if(nothing_in_view && !wet);
-      },
-      [this, sea, dry, wet, about_hull, squares = std::move(squares)](const PassContext& context) {
-        squares_.write(squares.data(), squares.size() * sizeof(SeaMesh::Square));
-        const float nowhere[4] = {0.0f, 0.0f, 0.0f, 0.0f};
-        glClearBufferfv(GL_COLOR, 0, nowhere);
-        context.texture(sea.displacement).bind(0);
-        if (about_hull) context.texture(dry).bind(3);
-        map_sampler_.bind(0);
-        block_.bind_uniform(OFFING_BIND_OCEAN);
-        (wet ? two_sided_mesh_program_ : about_hull ? mesh_about_hull_ : mesh_program_).use();
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_GREATER);
-        glDepthMask(GL_TRUE);
-        glDisable(GL_CULL_FACE);
-        glDisable(GL_BLEND);
-        array_.bind();
-        glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr,
-                                static_cast<GLsizei>(squares.size()));
-        glDisable(GL_DEPTH_TEST);
-        glBindSampler(0, 0);
-      });
-
-  // A lens half in the water: the sea is drawn from above where a pixel is dry.
-  const SurfaceAccess surface = surface_access(sea, foam);
-  const TextureId above = underwater_.add_split(graph, surface, seen, &ids);
-  // What stands in the water, as it looks without the water.
-  const bool hull_shows = view.hull_in_view && !nothing_in_view;
-  graph.add(
-      "sea.hull",
-      [&](PassBuilder& pass) {
-        pass.read(hdr, Access::kTransfer).write(hull, Access::kTransfer);
-        pass.skip_if(!hull_shows);
-      },
-      [hdr, hull](const PassContext& context) {
-        const gl::Texture &from = context.texture(hdr), &to = context.texture(hull);
-        glCopyImageSubData(from.id(), GL_TEXTURE_2D, 0, 0, 0, 0, to.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
-                           from.width(), from.height(), 1);
-      });
-
-  const TextureId horizon =
-      graph.create("sea.air", {.format = GL_RGBA32F, .width = kHorizonTexels, .height = 1});
-  graph.add(
-      "sea.air",
-      [&](PassBuilder& pass) {
-        sky.declare(pass);
-        pass.write(horizon, Access::kAttachment).render_to({horizon});
-        pass.skip_if(nothing_in_view || submerged);
-      },
-      [this, bind_sky = sky.bind](const PassContext& context) {
-        bind_sky(context);
-        horizon_.use();
-        horizon_.program().set(0, static_cast<float>(kHorizonTexels));
-        glDisable(GL_DEPTH_TEST);
-        glDisable(GL_BLEND);
-        no_vertices_.bind();
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-      });
-
-  graph.add(
-      "sea.draw",
-      [&](PassBuilder& pass) {
-        pass.read(sea.displacement).read(sea.slopes).read(above).read(foam).read(horizon);
-        if (hull_shows) pass.read(hull).read(dry);
-        sky.declare(pass);
-        pass.read(depth, Access::kAttachment).modify(hdr).render_to({hdr}, depth);
-        pass.skip_if(nothing_in_view || submerged);
-      },
-      [this, sea, above, foam, horizon, dry, hull, hull_shows,
-       bind_sky = sky.bind](const PassContext& context) {
-        bind_surface(context, sea);
-        if (settings_.quality <= 0) {  // whole levels: see sea_map_level_picked()
-          level_sampler_.bind(0);
-          level_sampler_.bind(1);
-          level_sampler_.bind(2);
-        }
-        context.texture(above).bind(3);
-        context.texture(horizon).bind(4);
-        wrap_sampler_.bind(4);
-        if (hull_shows) {
-          context.texture(dry).bind(5);
-          context.texture(hull).bind(6);
-        }
-        gusts_.bind(OFFING_UNIT_GUSTS);
-        squalls_.bind(OFFING_UNIT_SQUALLS);
-        wrap_sampler_.bind(OFFING_UNIT_SQUALLS);
-        wrap_sampler_.bind(OFFING_UNIT_GUSTS);
-        context.texture(foam).bind(OFFING_UNIT_FOAM);
-        wrap_sampler_.bind(OFFING_UNIT_FOAM);
-        bind_sky(context);
-        (hull_shows ? surface_over_hull_ : surface_).use();
-        // Infinitely far away, and only where something is nearer: no work for the sky's pixels.
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
-        glDepthMask(GL_FALSE);
-        glDisable(GL_BLEND);
-        no_vertices_.bind();
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        glDisable(GL_DEPTH_TEST);
-        unbind_samplers();
-      });
-  return ids;
-}
-
-SurfaceAccess Ocean::surface_access(const SeaIds& sea, TextureId foam) const {
-  return {
-      [sea, foam](PassBuilder& pass) { pass.read(sea.displacement).read(sea.slopes).read(foam); },
-      [this, sea, foam](const PassContext& context) {
-        bind_surface(context, sea);
-        context.texture(foam).bind(OFFING_UNIT_FOAM);
-        wrap_sampler_.bind(OFFING_UNIT_FOAM);
-      },
-      [] { unbind_samplers(); }};
-}
-
-void Ocean::add_spray(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
-                      const LightAccess& sky, TextureId hdr, TextureId depth, bool visible) {
-  spray_.add(graph,
-             {.eye = view.eye,
-              .time = view.time,
-              .wind_speed = wind_speed_,
-              .visible = visible && view.lens != Lens::kSubmerged},
-             surface_access(sea, graph.import(foam_map_.map())), sky, hdr, depth);
-}
-
-void Ocean::add_underwater(FrameGraph& graph, const UnderwaterView& view, const SeaIds& sea,
-                           const LightAccess& sky, const UnderwaterIds& ids, TextureId hdr) const {
-  underwater_.add(graph, view, surface_access(sea, graph.import(foam_map_.map())), sky, ids, hdr);
 }
 
 }  // namespace offing

@@ -2,6 +2,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -13,6 +14,7 @@
 #include "engine/graph/frame_graph.h"
 #include "engine/ocean/foam_law.h"
 #include "engine/ocean/foam_map.h"
+#include "engine/ocean/foam_pattern.h"
 #include "engine/ocean/gpu_moments.h"
 #include "engine/ocean/sea.h"
 #include "engine/ocean/sea_maps.h"
@@ -121,6 +123,9 @@ class Ocean {
 
  private:
   void make_grid();
+  /// The picture's: with a hull that may show through the water, and under rain. Made when first
+  /// asked for.
+  const ShaderProgram& surface_program(bool hull, bool squalls);
   void show(Sea sea);
   void choose_queries(int method);
   void fade(double time);
@@ -129,6 +134,12 @@ class Ocean {
   void bind_surface(const PassContext& context, const SeaIds& sea) const;
   void show_squalls(const std::shared_ptr<const SquallField>& squalls);
   static void unbind_samplers();
+  // The passes that add_draw() puts together.
+  void add_mesh(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
+                std::vector<SeaMesh::Square> squares, TextureId dry, TextureId seen,
+                TextureId depth);
+  static void add_hull(FrameGraph& graph, TextureId hdr, TextureId hull, bool shows);
+  TextureId add_horizon(FrameGraph& graph, const LightAccess& sky, bool visible) const;
 
   OceanSettings settings_;
   ShaderLibrary& shaders_;
@@ -139,14 +150,14 @@ class Ocean {
   const ShaderProgram& mesh_program_;
   const ShaderProgram& mesh_about_hull_;         ///< leaves its inside dry
   const ShaderProgram& two_sided_mesh_program_;  ///< tells from which side water is seen
-  const ShaderProgram& surface_;
-  const ShaderProgram& surface_over_hull_;  ///< where one shows through the water
-  const ShaderProgram& horizon_;            ///< the sky's strip
+  std::array<std::array<const ShaderProgram*, 2>, 2> surface_{};  ///< see surface_program()
+  const ShaderProgram& horizon_;                                  ///< the sky's strip
   gl::Buffer vertices_, indices_, squares_, block_;
   gl::VertexArray array_, no_vertices_;
   gl::Sampler map_sampler_, level_sampler_, foam_sampler_;
   gl::Sampler line_sampler_, wrap_sampler_;
-  gl::Texture foam_;  ///< its pattern
+  FoamPatterns foam_;
+  std::array<float, shared::kFoamLayers + 1> foam_crest_{};  ///< see OceanData
   gl::Texture gusts_, squalls_, roughness_;
   std::shared_ptr<const SquallField> squalls_shown_;
   FoamMap foam_map_;
@@ -167,6 +178,7 @@ class Ocean {
   SlopeVariance slope_variance_;
   double choppiness_ = 1.0;
   double white_share_ = 0.0;
+  double ripples_ = 0.0;  ///< see ripple_share()
   double wind_speed_ = 0.0;
   glm::dvec2 wind_to_{0.0, 1.0};
 };

@@ -30,6 +30,8 @@ std::vector<double> kept_amplitudes(int size, int level) {
   return kept;
 }
 
+double point_log2(const Cascade& cascade) { return std::log2(cascade.band.length / cascade.size); }
+
 SlopeVariance shown_of(const Cascade& cascade, double level) {
   const double share = share_shown(level);
   if (share <= 0.0) return {};
@@ -50,6 +52,14 @@ SlopeVariance shown_of(const Cascade& cascade, double level) {
 
 }  // namespace
 
+double ripple_share(std::span<const Cascade> cascades, const SlopeVariance& total) {
+  constexpr double kMost = 0.7;  // of what is left: the rest is finer still
+  double left = total.total();
+  for (const Cascade& cascade : cascades) left -= cascade.resolved[0].total();
+  const double finest = cascades.back().resolved[0].total();
+  return finest > 0.0 ? std::clamp(kMost * left / finest, 0.0, 1.0) : 0.0;
+}
+
 int breaking_cascades(std::span<const Cascade> cascades) {
   constexpr double kLongestRipple = 5.0;  // m
   return static_cast<int>(std::ranges::count_if(
@@ -57,7 +67,7 @@ int breaking_cascades(std::span<const Cascade> cascades) {
 }
 
 std::vector<glm::vec4> roughness_table(std::span<const Cascade> cascades,
-                                       const SlopeVariance& total) {
+                                       const SlopeVariance& total, double ripples) {
   constexpr double kLeast = 4.0e-4;  // of a glassy sea: keeps densities finite
   const auto breaking = static_cast<std::size_t>(breaking_cascades(cascades));
   double breaking_trace = 0.0;
@@ -71,10 +81,16 @@ std::vector<glm::vec4> roughness_table(std::span<const Cascade> cascades,
     SlopeVariance rest = total;
     double trace = breaking_trace;
     for (std::size_t c = 0; c < cascades.size(); ++c) {
-      const double point = std::log2(cascades[c].band.length / cascades[c].size);
-      const SlopeVariance shown = shown_of(cascades[c], std::max(size_log2 - point, 0.0));
+      const SlopeVariance shown =
+          shown_of(cascades[c], std::max(size_log2 - point_log2(cascades[c]), 0.0));
       rest += {-shown.xx, -shown.zz, -shown.xz};
       if (c < breaking) trace -= shown.total();
+    }
+    if (ripples > 0.0) {
+      const double size_in_map = size_log2 - std::log2(static_cast<double>(shared::kRippleScale));
+      const SlopeVariance shown =
+          shown_of(cascades.back(), std::max(size_in_map - point_log2(cascades.back()), 0.0));
+      rest += {-ripples * shown.xx, -ripples * shown.zz, -ripples * shown.xz};
     }
     rest.xx = std::max(rest.xx, kLeast);
     rest.zz = std::max(rest.zz, kLeast);

@@ -3,6 +3,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -18,8 +19,9 @@ inline constexpr double kEarthRadius = 6371.0e3;  ///< m
 struct SeaMesh {
   // Squares of the next level can begin as far out as 1 + 2 sqrt(2) / kReach of a level's reach;
   // they must not have begun to morph there: that is at most 2 kMorph.
-  static constexpr double kReach = 3.4;   ///< sides of a square up to which it is used
-  static constexpr double kMorph = 0.92;  ///< share of that at which morphing starts
+  static constexpr double kReach = 3.4;              ///< sides of a square up to which it is used
+  static constexpr double kMorph = 0.92;             ///< share of that at which morphing starts
+  static constexpr std::size_t kMostSquares = 8192;  ///< that are drawn at once
   static_assert(1.0 + 2.0 * 1.41422 / kReach <= 2.0 * kMorph);
 
   int cells = 8;                ///< per side of a square; even

@@ -37,6 +37,35 @@ double elongated_shape(double angle, double beta, double exponent) {
 /// The index of a grid place as a signed wave number.
 int signed_index(int i, int size) { return i < size / 2 ? i : i - size; }
 
+/// A patch holds few of the longest waves, and chance would make it 10 % too high or too low. The
+/// draw is levelled to the height and the slope that it stands for, its variances times a + b k^2:
+/// groups stay random, Hs is right and so is what the waves leave to the roughness. `drawn`: its
+/// moments of k^0, k^2 and k^4, `slope` the expected one of k^2.
+void level_draw(Cascade& cascade, double slope, const double (&drawn)[3]) {
+  if (!(drawn[0] > 0.0)) return;
+  double a = cascade.variance / drawn[0], b = 0.0;
+  const double det = drawn[0] * drawn[2] - drawn[1] * drawn[1];
+  if (det > 1e-9 * drawn[0] * drawn[2]) {  // else all of one length
+    const double both = (cascade.variance * drawn[2] - slope * drawn[1]) / det;
+    const double steeper = (slope * drawn[0] - cascade.variance * drawn[1]) / det;
+    // Few waves can be so far off that no such weights are positive: then the height alone.
+    const double most = std::pow(cascade.band.k_max, 2.0),
+                 least = std::pow(cascade.band.k_min, 2.0);
+    if (std::min(both + steeper * least, both + steeper * most) > 0.25 * a) {
+      a = both;
+      b = steeper;
+    }
+  }
+  for (int iz = 0; iz < cascade.size; ++iz) {
+    for (int ix = 0; ix < cascade.size; ++ix) {
+      std::complex<double>& h0 = cascade.h0[static_cast<std::size_t>(iz * cascade.size + ix)];
+      if (h0 == 0.0) continue;
+      const glm::dvec2 k = cascade.wave_vector(ix, iz);
+      h0 *= std::sqrt(a + b * glm::dot(k, k));
+    }
+  }
+}
+
 }  // namespace
 
 SlopeVariance& SlopeVariance::operator+=(const SlopeVariance& other) {
@@ -230,7 +259,8 @@ Cascade make_cascade(const SeaSpectrum& spectrum, const CascadeBand& band, int s
     }
   }
 
-  double drawn = 0.0;  // m^2
+  double slope = 0.0;           // expected, summed over both axes
+  double drawn[3] = {0, 0, 0};  // moments of what is drawn: |h|^2, |k h|^2, |k^2 h|^2
   for (int iz = 0; iz < size; ++iz) {
     for (int ix = 0; ix < size; ++ix) {
       const int nx = signed_index(ix, size), nz = signed_index(iz, size);
@@ -263,7 +293,11 @@ Cascade make_cascade(const SeaSpectrum& spectrum, const CascadeBand& band, int s
       const glm::dvec2 normal = random_normal_pair(seed, static_cast<std::uint64_t>(number), index);
       cascade.h0[cell] = 0.5 * std::sqrt(energy) * std::complex<double>(normal.x, normal.y);
       cascade.variance += energy;
-      drawn += 2.0 * std::norm(cascade.h0[cell]);
+      const double k2 = glm::dot(k, k), variance = 2.0 * std::norm(cascade.h0[cell]);
+      slope += energy * k2;
+      drawn[0] += variance;
+      drawn[1] += variance * k2;
+      drawn[2] += variance * k2 * k2;
       if (std::abs(nx) < quarter && std::abs(nz) < quarter) {
         cascade.slope_cells[static_cast<std::size_t>(std::abs(nz) * quarter + std::abs(nx))] +=
             {energy * k.x * k.x, energy * k.y * k.y, energy * k.x * k.y};
@@ -276,12 +310,7 @@ Cascade make_cascade(const SeaSpectrum& spectrum, const CascadeBand& band, int s
       }
     }
   }
-  // A patch holds few of the longest waves, and chance would make it 10 % too high or too low. The
-  // draw is scaled to the energy that it stands for: groups stay random, the height is right.
-  if (drawn > 0.0) {
-    const double factor = std::sqrt(cascade.variance / drawn);
-    for (std::complex<double>& h0 : cascade.h0) h0 *= factor;
-  }
+  level_draw(cascade, slope, drawn);
   return cascade;
 }
 

@@ -3,18 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <iterator>
 
 #include "engine/core/angles.h"
 #include "engine/core/random.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/probe.h"
 
-#define OFFING_GLSL "shaders/lib/phase.glsl"
-#include "engine/core/glsl_double.h"
 #define OFFING_GLSL "shaders/lib/probe.glsl"
-#include "engine/core/glsl_double.h"
-#define OFFING_GLSL "shaders/lib/scattering.glsl"
 #include "engine/core/glsl_double.h"
 
 namespace offing {
@@ -22,9 +17,9 @@ namespace {
 
 using shared::kProbeLevels;
 
-// Rows of a work group of the probe's shaders, and texels across.
+// Rows of a work group of probe_capture.comp, and texels across.
 constexpr int kGroupRows = 4, kGroupColumns = 16;
-constexpr int kRowsPerRough = 8;  // rows that one invocation of probe_rough.comp makes
+constexpr int kListWidth = 1024;  // texels, of four nodes each
 // A leap: the light has gone further in one frame than any clock of the game moves it, or the
 // camera is elsewhere. What is shown is then made anew at once.
 constexpr double kLeapAngle = 0.026, kLeapHaze = 0.02, kLeapHeight = 0.25;
@@ -32,19 +27,18 @@ constexpr double kLeapAngle = 0.026, kLeapHaze = 0.02, kLeapHeight = 0.25;
 constexpr double kAngleStep = 1e-4, kHeightStep = 0.02, kLightStep = 1e-3, kWindStep = 0.25;
 
 // Texels per side of a level over those of level 0, in 48ths.
-constexpr int kSides[kProbeLevels] = {48, 33, 33, 33, 33, 30, 24, 20, 16, 14, 12, 10, 9, 8};
-// Of the settings' samples: a narrow lobe needs few. Wider ones than these are sums over cells.
-constexpr double kSampleShare[] = {0.0, 0.2, 0.4, 0.7, 1.0};
-constexpr int kGlossyLevels = std::size(kSampleShare);
-// Below this level texels within some cells count one by one.
-constexpr int kNearLevels = 8;
-constexpr int kNearCells = 1;
-constexpr int kCellTexels = 4, kInCell = kCellTexels * kCellTexels;  // as in probe_cell.glsl
+constexpr int kSides[kProbeLevels] = {48, 48, 48, 45, 42, 39, 36, 33, 28,
+                                      24, 21, 18, 16, 14, 12, 10, 9};
 
-// Nanoseconds per texel or cell, and per pair of texel and sample or cell, on a CPU renderer; only
-// their ratios matter.
-constexpr double kCaptureCost = 400.0, kSampleCost = 60.0, kMipCost = 60.0, kCellCost = 150.0,
-                 kPairCost = 2.0, kIrradianceCost = 60.0, kNearPairs = 500.0;
+// Nanoseconds per texel or node, and per pair of texel and node, on a CPU renderer; only their
+// ratios matter.
+constexpr double kCaptureCost = 400.0, kMipCost = 60.0, kPairCost = 1.0, kIrradianceCost = 60.0;
+
+std::vector<int> sides_of(int size) {
+  std::vector<int> sides;
+  for (const int share : kSides) sides.push_back(share * size / 48);
+  return sides;
+}
 
 std::int64_t steps_of(double value, double step) {
   return static_cast<std::int64_t>(std::llround(value / step));
@@ -57,7 +51,7 @@ std::uint64_t hash_direction(const glm::dvec3& d, double step) {
 }  // namespace
 
 ProbeSettings ProbeSettings::of_quality(int quality) {
-  constexpr ProbeSettings kQualities[] = {{96, 48, 24}, {96, 64, 24}, {128, 64, 24}, {128, 96, 24}};
+  constexpr ProbeSettings kQualities[] = {{96, 24}, {96, 24}, {128, 24}, {128, 24}};
   return kQualities[std::clamp(quality, 0, 3)];
 }
 
@@ -80,16 +74,14 @@ Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
     : settings_(settings),
       capture_(shaders.program({"sky/probe_capture.comp"})),
       mip_(shaders.program({"sky/probe_mip.comp"})),
-      glossy_(shaders.program({"sky/probe_glossy.comp"})),
-      cells_(shaders.program({"sky/probe_cells.comp"})),
-      rough_(shaders.program({"sky/probe_rough.comp"})),
+      level_(shaders.program({"sky/probe_level.comp"})),
       irradiance_(shaders.program({"sky/probe_irradiance.comp"})),
       blend_(shaders.program({"sky/probe_blend.comp"})),
+      plan_(settings.size, sides_of(settings.size)),
       linear_("probe", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
-      mips_("probe mips", GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE) {
+      nearest_("probe nodes", GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE) {
   int rows = 0;
-  for (const int share : kSides) {
-    const int side = share * settings_.size / 48;
+  for (const int side : sides_of(settings_.size)) {
     levels_.emplace_back(0, rows, side, 0);
     rows += side;
   }
@@ -100,11 +92,21 @@ Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
     generation.irradiance =
         gl::Buffer("probe irradiance", shared::kProbeHarmonics * sizeof(glm::vec4));
   }
-  seen_mips_ = gl::Texture("probe seen", {.format = GL_RGBA32F,
-                                          .width = 2 * settings_.size,
-                                          .height = settings_.size,
-                                          .levels = shared::kProbeMips});
-  cell_list_ = gl::Buffer("probe cells", cell_count() * (1 + kInCell) * 2 * sizeof(glm::vec4));
+  const gl::TextureDesc nodes{
+      .format = GL_RGBA32F, .width = 2 * settings_.size, .height = 2 * settings_.size};
+  seen_ = gl::Texture("probe seen", nodes);
+  glClearTexImage(seen_.id(), 0, GL_RGBA, GL_FLOAT, nullptr);
+  places_ = gl::Texture("probe places", nodes);
+  places_.upload(GL_RGBA, GL_FLOAT, plan_.places.data());
+  const auto lists = static_cast<int>(plan_.lists.size() / 4);
+  const int list_rows = (lists + kListWidth - 1) / kListWidth;
+  plan_.lists.resize(static_cast<std::size_t>(4 * kListWidth * list_rows));
+  lists_ =
+      gl::Texture("probe lists", {.format = GL_RGBA32UI, .width = kListWidth, .height = list_rows});
+  lists_.upload(GL_RGBA_INTEGER, GL_UNSIGNED_INT, plan_.lists.data());
+  block_list_ = gl::Buffer::of<glm::uvec2>("probe blocks", plan_.blocks);
+  plan_.places.clear();
+  plan_.lists.clear();
   shared::ProbeData data{};
   for (int i = 0; i < kProbeLevels; ++i) data.levels[i] = glm::vec4(levels_[i]);
   data.texel = glm::vec4(1.0f / static_cast<float>(desc.width),
@@ -114,29 +116,28 @@ Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
   plan_work();
 }
 
-int Probe::samples(int level) const {
-  return static_cast<int>(kSampleShare[level] * settings_.samples);
-}
-int Probe::cells() const { return settings_.size / kCellTexels; }
-
 void Probe::plan_work() {
-  const auto level = [&](Kind kind, int index, double cost_per_texel) {
-    const int side = levels_[static_cast<std::size_t>(index)].z;
-    const int step = kind == Kind::kRough ? kRowsPerRough : kGroupRows;
+  const int size = settings_.size;
+  const auto rows = [&](Kind kind, int level, int step, const auto& cost) {
+    const int side = levels_[static_cast<std::size_t>(level)].z;
     for (int row = 0; row < side; row += step) {
-      const int rows = std::min(step, side - row);
-      work_.push_back({kind, index, row, rows, cost_per_texel * 2.0 * side * rows, 0});
+      work_.push_back({kind, level, row, std::min(step, side - row), cost(row), 0});
     }
   };
-  const auto cells = static_cast<double>(cell_count());
-  level(Kind::kCapture, 0, kCaptureCost);
-  work_.push_back(
-      {Kind::kMips, 0, 0, 0, kMipCost * 2.0 / 3.0 * settings_.size * settings_.size, 0});
-  work_.push_back({Kind::kCells, 0, 0, 0, kCellCost * cells, 0});
-  work_.push_back({Kind::kIrradiance, 0, 0, 0, kIrradianceCost * cells, 0});
-  for (int i = 1; i < kGlossyLevels; ++i) level(Kind::kGlossy, i, kSampleCost * samples(i));
-  for (int i = kGlossyLevels; i < kProbeLevels; ++i) {
-    level(Kind::kRough, i, kPairCost * (cells + (i < kNearLevels ? kNearPairs : 0.0)));
+  rows(Kind::kCapture, 0, kGroupRows, [&](int) { return kCaptureCost * 2.0 * size * kGroupRows; });
+  work_.push_back({Kind::kMips, 0, 0, 0, kMipCost * 2.0 / 3.0 * size * size, 0});
+  work_.push_back({Kind::kIrradiance, 0, 0, 0, kIrradianceCost * size * size / 8.0, 0});
+  for (int level = 1; level < kProbeLevels; ++level) {
+    const int across = ProbePlan::blocks_across(levels_[static_cast<std::size_t>(level)].z);
+    rows(Kind::kLevel, level, ProbePlan::kRows, [&](int row) {
+      double pairs = 0.0;
+      for (int i = 0; i < 2 * across; ++i) {
+        const int block = plan_.first_block[static_cast<std::size_t>(level)] +
+                          2 * across * (row / ProbePlan::kRows) + i;
+        pairs += plan_.blocks[static_cast<std::size_t>(block)].y;
+      }
+      return kPairCost * ProbePlan::kColumns * ProbePlan::kRows * 4.0 * pairs;
+    });
   }
   double total = 0.0, done = 0.0;
   for (const Work& work : work_) total += work.cost;
@@ -176,26 +177,25 @@ ProbeIds Probe::add(FrameGraph& graph, const SkyLight& light, double wind_speed,
   frame.state = {light.sun_direction, light.moon_direction, std::max(light.camera_height, 1.0),
                  light.haze,          clouds.has_value(),   on};
   const bool moon_counts = light.sun_direction.y < 0.05 && light.moon_direction.y > -0.05;
-  frame.key =
-      hash_of(hash_direction(light.sun_direction, kAngleStep),
-              moon_counts ? hash_direction(light.moon_direction, kAngleStep) : std::uint64_t{0},
-              steps_of(light.sun_uncovered, kLightStep), steps_of(light.moon_phase, kLightStep),
-              steps_of(std::log(frame.state.height + 10.0), kHeightStep), light.haze,
-              static_cast<int>(light.painted.mode), light.painted.strength,
-              hash_direction(light.painted.zenith / (1e-9 + light.painted.zenith.y), kLightStep),
-              hash_direction(light.painted.horizon / (1e-9 + light.painted.zenith.y), kLightStep),
-              steps_of(wind_speed, kWindStep), on, clouds ? clouds->version + 1 : std::uint64_t{0},
-              capture_.generation() + mip_.generation() + glossy_.generation() +
-                  cells_.generation() + rough_.generation() + irradiance_.generation());
+  frame.key = hash_of(
+      hash_direction(light.sun_direction, kAngleStep),
+      moon_counts ? hash_direction(light.moon_direction, kAngleStep) : std::uint64_t{0},
+      steps_of(light.sun_uncovered, kLightStep), steps_of(light.moon_phase, kLightStep),
+      steps_of(std::log(frame.state.height + 10.0), kHeightStep), light.haze,
+      static_cast<int>(light.painted.mode), light.painted.strength,
+      hash_direction(light.painted.zenith / (1e-9 + light.painted.zenith.y), kLightStep),
+      hash_direction(light.painted.horizon / (1e-9 + light.painted.zenith.y), kLightStep),
+      steps_of(wind_speed, kWindStep), on, clouds ? clouds->version + 1 : std::uint64_t{0},
+      capture_.generation() + mip_.generation() + level_.generation() + irradiance_.generation());
   const auto angle = [](const glm::dvec3& a, const glm::dvec3& b) {
     return glm::length(glm::cross(a, b)) + (glm::dot(a, b) < 0.0 ? 1.0 : 0.0);
   };
   frame.leap =
-      !complete_ || angle(frame.state.sun, seen_.sun) > kLeapAngle ||
-      (moon_counts && angle(frame.state.moon, seen_.moon) > kLeapAngle) ||
-      std::abs(frame.state.haze - seen_.haze) > kLeapHaze ||
-      std::abs(std::log((frame.state.height + 100.0) / (seen_.height + 100.0))) > kLeapHeight ||
-      frame.state.clouds != seen_.clouds || frame.state.on != seen_.on;
+      !complete_ || angle(frame.state.sun, last_.sun) > kLeapAngle ||
+      (moon_counts && angle(frame.state.moon, last_.moon) > kLeapAngle) ||
+      std::abs(frame.state.haze - last_.haze) > kLeapHaze ||
+      std::abs(std::log((frame.state.height + 100.0) / (last_.height + 100.0))) > kLeapHeight ||
+      frame.state.clouds != last_.clouds || frame.state.on != last_.on;
   if (frame.leap) {
     frame.last_slice = settings_.slices - 1;
     frame.share = 1.0f;
@@ -255,19 +255,21 @@ void Probe::run(const Frame& frame, const PassContext& context) {
     blend(1.0f);
     blend_left_ = 0;
   }
-  seen_ = frame.state;
+  last_ = frame.state;
 }
 
 void Probe::run_slice(const Frame& frame, int slice, const Generation& into) {
-  seen_mips_.bind(OFFING_UNIT_PROBE);
-  mips_.bind(OFFING_UNIT_PROBE);
+  int unit = 0;
+  for (const gl::Texture* texture : {&places_, &seen_, &lists_}) {
+    texture->bind(static_cast<GLuint>(unit));
+    nearest_.bind(static_cast<GLuint>(unit++));
+  }
   into.irradiance.bind_storage(0);
-  cell_list_.bind_storage(1);
+  block_list_.bind_storage(1);
   capture_.program().set(4, frame.clouds ? 1 : 0);
   on_ = frame.state.on;
   capture_.program().set(5, on_ ? 0 : 1);
   irradiance_.program().set(5, on_ ? 0 : 1);
-  dip_ = static_cast<float>(glsl::horizon_dip_sine(frame.state.height * 1e-3));
   for (const Work& work : work_) {
     if (work.slice != slice) continue;
     // It may read what the last one wrote.
@@ -280,61 +282,48 @@ void Probe::run_slice(const Frame& frame, int slice, const Generation& into) {
 
 void Probe::dispatch(const Work& work) const {
   const glm::ivec4& level = levels_[static_cast<std::size_t>(work.level)];
+  const int size = settings_.size;
+  const auto groups = [](int count, int each) {
+    return static_cast<GLuint>((count + each - 1) / each);
+  };
   const auto use = [&](const ShaderProgram& program) -> const gl::Program& {
     program.use();
     return program.program();
   };
-  const auto go = [&](const gl::Program& program, int rows_per_group) {
-    program.set(0, glm::ivec4(level.x, level.y, level.z, work.first_row));
-    glDispatchCompute(static_cast<GLuint>((2 * level.z + kGroupColumns - 1) / kGroupColumns),
-                      static_cast<GLuint>((work.rows + rows_per_group - 1) / rows_per_group), 1);
-  };
-  const double roughness = glsl::probe_roughness(work.level / (kProbeLevels - 1.0));
-  const auto alpha = static_cast<float>(roughness * roughness);
-  const auto cell_count_here = static_cast<int>(cell_count());
-  if (!on_ && (work.kind == Kind::kGlossy || work.kind == Kind::kRough)) {
-    go(use(capture_), kGroupRows);  // every level as level 0
+  if (work.kind == Kind::kCapture || (!on_ && work.kind == Kind::kLevel)) {
+    seen_.bind_image(1, GL_WRITE_ONLY);
+    use(capture_).set(0, glm::ivec4(level.x, level.y, level.z, work.first_row));
+    glDispatchCompute(groups(2 * level.z, kGroupColumns), groups(work.rows, kGroupRows), 1);
     return;
   }
   switch (work.kind) {
-    case Kind::kCapture:
-      seen_mips_.bind_image(1, GL_WRITE_ONLY);
-      go(use(capture_), kGroupRows);
-      break;
     case Kind::kMips:
-      mip_.use();
-      for (int mip = 1; mip < shared::kProbeMips; ++mip) {
-        seen_mips_.bind_image(0, GL_READ_ONLY, mip - 1);
-        seen_mips_.bind_image(1, GL_WRITE_ONLY, mip);
-        const int side = settings_.size >> mip;
-        glDispatchCompute(static_cast<GLuint>((2 * side + 7) / 8),
-                          static_cast<GLuint>((side + 7) / 8), 1);
-        glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+      seen_.bind_image(1, GL_READ_WRITE);
+      for (int mip = 1; mip < ProbePlan::kMips; ++mip) {
+        const int side = size >> mip;
+        use(mip_).set(0, glm::ivec4(ProbePlan::first_row(size, mip - 1),
+                                    ProbePlan::first_row(size, mip), 2 * side, side));
+        glDispatchCompute(groups(2 * side, 8), groups(side, 8), 1);
+        glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
       }
       break;
-    case Kind::kGlossy: {
-      const gl::Program& program = use(glossy_);
-      program.set(2, alpha);
-      program.set(3, samples(work.level));
-      program.set(5, dip_);
-      go(program, kGroupRows);
+    case Kind::kLevel: {
+      const gl::Program& program = use(level_);
+      program.set(0, glm::ivec4(level.x, level.y, level.z, work.first_row));
+      program.set(1, plan_.first_block[static_cast<std::size_t>(work.level)]);
+      program.set(2, static_cast<float>(glsl::probe_alpha(work.level)));
+      glDispatchCompute(groups(level.z, ProbePlan::kColumns), groups(work.rows, ProbePlan::kRows),
+                        2);
       break;
     }
-    case Kind::kCells:
-      use(cells_).set(3, cells());
-      glDispatchCompute(static_cast<GLuint>((cell_count_here + 63) / 64), 1, 1);
-      break;
-    case Kind::kRough: {
-      const gl::Program& program = use(rough_);
-      program.set(2, alpha);
-      program.set(3, cells());
-      program.set(5, work.level < kNearLevels ? kNearCells : -1);
-      go(program, kRowsPerRough);
-      break;
-    }
-    case Kind::kIrradiance:
-      use(irradiance_).set(3, cell_count_here);
+    case Kind::kIrradiance: {
+      constexpr int kMip = 2;  // fine enough for what it keeps
+      use(irradiance_)
+          .set(0, glm::ivec4(ProbePlan::first_row(size, kMip), 2 * size >> kMip, size >> kMip, 0));
       glDispatchCompute(1, 1, 1);
+      break;
+    }
+    case Kind::kCapture:
       break;
   }
 }

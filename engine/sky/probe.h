@@ -8,6 +8,7 @@
 #include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
 #include "engine/shader/shader_library.h"
+#include "engine/sky/probe_plan.h"
 #include "engine/sky/sky.h"
 #include "engine/sky/sky_light.h"
 
@@ -30,16 +31,15 @@ struct ProbeClouds {
 };
 
 struct ProbeSettings {
-  int size = 96;     ///< texels per side of each half of level 0; a multiple of 48
-  int samples = 48;  ///< directions from which a texel of a glossy level gathers its light
-  int slices = 16;   ///< frames over which a refresh is spread, 1 or more
+  int size = 96;    ///< texels per side of each half of level 0; a multiple of 16
+  int slices = 24;  ///< frames over which a refresh is spread, 1 or more
 
   /// 0 low to 3 ultra.
   static ProbeSettings of_quality(int quality);
 };
 
 /// The reflection probe: sky, clouds and a mean sea as a surface at the camera mirrors them, for
-/// fourteen roughnesses, and as it is lit by them (spherical harmonics).
+/// seventeen roughnesses, and as it is lit by them (spherical harmonics).
 ///
 /// While anything that it shows moves, one slice of the next generation is made in each frame;
 /// when that is whole, what is shown moves over to it at an even pace during as many frames again.
@@ -66,7 +66,7 @@ class Probe {
   const gl::Texture& map() const { return shown_; }
 
  private:
-  enum class Kind : std::uint8_t { kCapture, kMips, kGlossy, kCells, kRough, kIrradiance };
+  enum class Kind : std::uint8_t { kCapture, kMips, kLevel, kIrradiance };
   /// One dispatch: some rows of one level of the map.
   struct Work {
     Kind kind;
@@ -86,12 +86,6 @@ class Probe {
   };
   struct Frame;
 
-  /// Per side of a half: what rough levels are sums over, a mip of what is seen.
-  int cells() const;
-  std::size_t cell_count() const {
-    return 2 * static_cast<std::size_t>(cells()) * static_cast<std::size_t>(cells());
-  }
-  int samples(int level) const;  ///< of a glossy one
   void plan_work();
   void run(const Frame& frame, const PassContext& context);
   void run_slice(const Frame& frame, int slice, const Generation& into);
@@ -101,28 +95,26 @@ class Probe {
   ProbeSettings settings_;
   const ShaderProgram& capture_;
   const ShaderProgram& mip_;
-  const ShaderProgram& glossy_;
-  const ShaderProgram& cells_;
-  const ShaderProgram& rough_;
+  const ShaderProgram& level_;
   const ShaderProgram& irradiance_;
   const ShaderProgram& blend_;
   std::vector<Work> work_;
   std::vector<glm::ivec4> levels_;  ///< first texel, texels per side
   gl::Texture shown_;
-  gl::Texture seen_mips_;
-  gl::Buffer block_, cell_list_;
+  ProbePlan plan_;
+  gl::Texture places_, lists_, seen_;  ///< of the plan's nodes
+  gl::Buffer block_, block_list_;
   Generation generations_[2];
-  gl::Sampler linear_, mips_;
+  gl::Sampler linear_, nearest_;
 
   // Where the refresh stands; moved on only where the pass runs.
   int building_ = 0;       ///< which generation; the other one is whole
   int next_slice_ = 0;     ///< settings_.slices: none is being made
   int blend_left_ = 0;     ///< frames until what is shown equals the whole generation
   bool on_ = true;         ///< of what is being made; off: the sky's tables as they are
-  float dip_ = 0.0f;       ///< sine of the horizon's angle below the level, of what is being made
   bool complete_ = false;  ///< there is a whole generation
   std::uint64_t key_ = 0;  ///< of the generation that was begun last
-  State seen_{};           ///< when the pass last ran
+  State last_{};           ///< when the pass last ran
 };
 
 }  // namespace offing

@@ -4,17 +4,19 @@
 #include <cmath>
 
 #include "engine/core/angles.h"
+#include "shaders/shared/bindings.h"
 
 namespace offing {
 
 ProbeReference::ProbeReference(ShaderLibrary& shaders)
-    : program_(shaders.program({"sky/probe_reference.comp"})) {}
+    : program_(shaders.program({"sky/probe_reference.comp"})),
+      linear_("probe reference", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE) {}
 
 std::vector<ProbeAnswer> ProbeReference::ask(const PassContext& context, const Sky& sky,
                                              const SkyIds& sky_ids, const Probe& probe,
                                              const ProbeIds& probe_ids,
-                                             std::span<const ProbeQuery> queries,
-                                             int samples) const {
+                                             std::span<const ProbeQuery> queries, int samples,
+                                             const std::optional<ProbeClouds>& clouds) const {
   constexpr int kGroup = 32;
   // Mesa's software renderer ends all loops of an invocation after 65535 rounds, those within the
   // sky's functions included.
@@ -29,7 +31,11 @@ std::vector<ProbeAnswer> ProbeReference::ask(const PassContext& context, const S
   program_.use();
   program_.program().set(0, samples);
   program_.program().set(1, static_cast<int>(queries.size()));
-  program_.program().set(4, 0);
+  program_.program().set(4, clouds ? 1 : 0);
+  if (clouds) {
+    context.texture(clouds->map).bind(OFFING_UNIT_CLOUD_MAP);
+    linear_.bind(OFFING_UNIT_CLOUD_MAP);
+  }
   std::vector<glm::dvec4> sums(queries.size(), glm::dvec4(0.0));
   std::vector<glm::vec4> values(2 * queries.size());
   for (int first = 0; first < samples; first += kBatch) {

@@ -32,10 +32,12 @@ class ProbeReference {
   /// Call within a pass that has declared both ids' read_by(), with FrameData bound. No clouds.
   std::vector<ProbeAnswer> ask(const PassContext& context, const Sky& sky, const SkyIds& sky_ids,
                                const Probe& probe, const ProbeIds& probe_ids,
-                               std::span<const ProbeQuery> queries, int samples) const;
+                               std::span<const ProbeQuery> queries, int samples,
+                               const std::optional<ProbeClouds>& clouds = {}) const;
 
  private:
   const ShaderProgram& program_;
+  gl::Sampler linear_;
 };
 
 /// Root mean square over the answers of (probe - reference), over the mean of the reference; of the

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include "game/frame/boat_pass.h"
+#include "game/frame/weld.h"
 
 namespace offing {
 namespace {
@@ -45,19 +45,12 @@ void BoatPass::build_rigid(ShaderLibrary& shaders, const Model& model) {
   }
   const auto append = [&](int node, const ModelPrimitive& primitive) {
     const glm::mat4& placement = carriers[static_cast<std::size_t>(node)].from_node;
-    std::unordered_map<std::uint32_t, std::uint32_t> placed;
-    for (std::uint32_t i = 0; i < primitive.index_count; ++i) {
-      const std::uint32_t index = model.indices[primitive.first_index + i];
-      const auto [found, is_new] =
-          placed.try_emplace(index, static_cast<std::uint32_t>(vertices.size()));
-      if (is_new) {
-        const ModelVertex& from = model.vertices[index];
-        vertices.push_back({glm::vec3(placement * glm::vec4(from.position, 1.0f)),
-                            glm::mat3(placement) * from.normal, from.uv,
-                            static_cast<float>(primitive.material)});
-      }
-      indices.push_back(found->second);
-    }
+    Welded welded;
+    append_welded(model, primitive, welded, vertices, indices, [&](const ModelVertex& from) {
+      return RigidVertex{glm::vec3(placement * glm::vec4(from.position, 1.0f)),
+                         glm::mat3(placement) * from.normal, from.uv,
+                         static_cast<float>(primitive.material)};
+    });
   };
   // One draw for each program, picture and carrier; the wires last, since they blend with what lies
   // behind them.
@@ -122,19 +115,12 @@ void BoatPass::build_cloth(const Model& model, const BoatTextures& textures) {
   for (Cloth& cloth : cloth_) {
     cloth.first = static_cast<std::uint32_t>(indices.size());
     const auto base = vertices.size();
-    std::unordered_map<std::uint32_t, std::uint32_t> placed;
+    Welded welded;
     for (const ModelPrimitive& primitive :
          model.nodes[static_cast<std::size_t>(cloth.node)].primitives) {
-      for (std::uint32_t i = 0; i < primitive.index_count; ++i) {
-        const std::uint32_t index = model.indices[primitive.first_index + i];
-        const auto [found, is_new] =
-            placed.try_emplace(index, static_cast<std::uint32_t>(vertices.size()));
-        if (is_new) {
-          const ModelVertex& from = model.vertices[index];
-          vertices.push_back({from.position, from.uv, glm::vec4(0.0f)});
-        }
-        indices.push_back(found->second);
-      }
+      append_welded(model, primitive, welded, vertices, indices, [](const ModelVertex& from) {
+        return ClothVertex{from.position, from.uv, glm::vec4(0.0f)};
+      });
     }
     cloth.count = static_cast<std::uint32_t>(indices.size()) - cloth.first;
     // The cloth's derivatives along u and v: the mean over the triangles about a vertex, each of

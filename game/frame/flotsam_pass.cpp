@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <iterator>
-#include <unordered_map>
 
 #include "game/frame/boat_pass.h"
 #include "game/frame/rigid_vertex.h"
+#include "game/frame/weld.h"
 #include "shaders/shared/bindings.h"
 
 namespace offing {
@@ -19,23 +19,16 @@ FlotsamPass::FlotsamPass(ShaderLibrary& shaders, const Model& model)
     : program_(shaders.program({"boat/rigid.vert", "boat/rigid.frag"})),
       buffer_("flotsam.block", sizeof(shared::BoatData)) {
   RigidMesh mesh;
-  std::unordered_map<std::uint32_t, std::uint32_t> placed;
   for (std::size_t kind = 0; kind < kFlotsam.size(); ++kind) {
     const ModelNode& node = model.nodes[static_cast<std::size_t>(model.find(kFlotsam[kind]))];
     const auto first = static_cast<std::uint32_t>(mesh.indices.size());
-    placed.clear();
+    Welded welded;
     for (const ModelPrimitive& primitive : node.primitives) {
-      for (std::uint32_t i = 0; i < primitive.index_count; ++i) {
-        const std::uint32_t index = model.indices[primitive.first_index + i];
-        const auto [found, is_new] =
-            placed.try_emplace(index, static_cast<std::uint32_t>(mesh.vertices.size()));
-        if (is_new) {
-          const ModelVertex& from = model.vertices[index];
-          mesh.vertices.push_back(
-              {from.position, from.normal, from.uv, static_cast<float>(primitive.material)});
-        }
-        mesh.indices.push_back(found->second);
-      }
+      append_welded(model, primitive, welded, mesh.vertices, mesh.indices,
+                    [&](const ModelVertex& from) {
+                      return RigidVertex{from.position, from.normal, from.uv,
+                                         static_cast<float>(primitive.material)};
+                    });
     }
     levels_[kind] = add_detail_levels(mesh.vertices, mesh.indices, first);
   }

@@ -10,7 +10,7 @@
 #include "shared/gardner.h"
 
 layout(binding = 0) uniform sampler2D tile;  // gardner_tile.comp; repeating, with mips
-layout(location = 1) uniform float scale;    // width of a pixel over the screen's
+layout(location = 1) uniform vec2 cell;      // size of a pixel over the screen's
 layout(location = 0) out vec4 colour;        // radiance × exposure, transmittance
 
 const float kBrightest = 30000.0;  // two of them still fit a half float
@@ -50,7 +50,7 @@ float layer_depth(vec2 at, float footprint) {
 }
 
 void main() {
-  vec2 corner = gl_FragCoord.xy * scale * frame.viewport.zw * 2.0 - 1.0;
+  vec2 corner = gl_FragCoord.xy * cell * frame.viewport.zw * 2.0 - 1.0;
   vec4 ahead = frame.relative_from_clip * vec4(corner, 1.0, 1.0);
   vec3 d = normalize(ahead.xyz / ahead.w);
   float rise = gardner.high.w - frame.camera.y;
@@ -63,7 +63,8 @@ void main() {
   vec2 at = gardner.high.xy + turned * gardner.high.z * vec2(1.0 / gardner.high_wind.z, 1.0);
   // A pixel's length on the plane, which is seen at a slant.
   float slant = max((rise + along * along * flat2 * curvature) / along, 0.02);
-  float footprint = along * scale * frame.camera.w * gardner.high.z * inversesqrt(slant);
+  vec2 lengths = along * frame.camera.w * gardner.high.z * cell / vec2(1.0, slant);
+  float footprint = sqrt(lengths.x * lengths.y);
   float depth = layer_depth(at, footprint);
   float transmittance = exp(-depth / slant);
 

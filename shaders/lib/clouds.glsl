@@ -32,8 +32,8 @@ CloudKind cloud_kind(float type, float rain) {
   CloudKind kind;
   float storm = rain * rain * type;
   kind.thickness = mix(cloud_blend(260.0, 520.0, 1050.0, type), kStormThickness, storm);
-  kind.full = mix(cloud_blend(0.12, 0.20, 0.34, type), 0.30, storm);
-  kind.roughness = mix(cloud_blend(0.55, 1.0, 1.35, type), 0.8, storm);
+  kind.full = mix(cloud_blend(0.12, 0.20, 0.34, type), 0.65, storm);
+  kind.roughness = mix(cloud_blend(2.0, 1.5, 1.35, type), 0.5, storm);
   kind.bottom = mix(cloud_blend(0.25, 0.16, 0.05, type), 0.012, storm);
   kind.round_from = cloud_blend(0.55, 0.30, 0.04, type);
   kind.round_sharply = cloud_blend(0.0, 0.3, 0.9, type);

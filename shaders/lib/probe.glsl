@@ -6,13 +6,21 @@
 // and fine at the level with the square root of the sine, where a sky changes most. Values at the
 // square's edges lie in the centres of its outermost texels: both squares agree along the level.
 
-// Levels of roughness, 0 for a mirror to 1: the GGX width alpha = roughness^2 grows by about 2 from one
-// to the next, so that in between a straight line is right.
-const float kProbeSpacing = 0.5;
-float probe_level(float roughness) {
-  return roughness * (1.0 + kProbeSpacing) / (roughness + kProbeSpacing);
+// Levels of roughness by the GGX width alpha: 0 is a mirror, 1 a lobe finer than what is seen; from 2 on alpha
+// grows by the same factor up to 1 at the last, so slowly that in between a straight line is right.
+const float kProbeSharpest = 0.0042;
+const float kProbeKnee = 0.0076;
+const float kProbeLast = 16.0;
+float probe_alpha(float level) {
+  return level < 2.0 ? kProbeSharpest * pow(kProbeKnee / kProbeSharpest, level - 1.0)
+                     : pow(kProbeKnee, (kProbeLast - level) / (kProbeLast - 2.0));
 }
-float probe_roughness(float level) { return kProbeSpacing * level / (1.0 + kProbeSpacing - level); }
+float probe_level(float alpha) {
+  float blur = clamp(alpha / kProbeSharpest, 0.0, 1.0);
+  float sharp = log(clamp(alpha, kProbeSharpest, kProbeKnee) / kProbeSharpest) / log(kProbeKnee / kProbeSharpest);
+  float rough = 1.0 - log(max(alpha, kProbeKnee)) / log(kProbeKnee);
+  return blur * sqrt(blur) + sharp + (kProbeLast - 2.0) * rough;
+}
 
 // Place of a direction (unit) in its square, 0 to 1.
 vec2 probe_units(vec3 direction) {

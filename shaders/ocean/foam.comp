@@ -16,7 +16,7 @@ float rows(vec2 q) {
             ocean.foam_stretch.x * (ocean.foam_grid.z * q.y - ocean.foam_grid.w * q.x));
   float wide = textureLod(foam_pattern, at * vec2(0.125, 0.5), 3.0).r;
   float fine = textureLod(foam_pattern, at * vec2(0.25, 1.0) + 0.37, 2.0).r;
-  return clamp(4.5 * (wide + fine - 1.0), -1.0, 1.0);
+  return clamp(0.7 * (wide + fine), -1.0, 1.0);
 }
 
 void main() {

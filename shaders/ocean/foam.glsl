@@ -1,13 +1,11 @@
 // Foam: its map (foam_map.h) and its picture. Needs ocean/surface.glsl before it.
 #include "lib/water.glsl"
+#include "shared/foam.h"
 layout(binding = OFFING_UNIT_FOAM) uniform sampler2DArray foam_map;  // thin foam, thick foam
-layout(binding = 2) uniform sampler2D foam_pattern;                  // normal, see foam_pattern.h
+layout(binding = OFFING_UNIT_FOAM_LACE) uniform sampler2D foam_lace_picture;  // see foam_pattern.h
+layout(binding = OFFING_UNIT_FOAM_ROWS) uniform sampler2D foam_rows_picture;
 const float kFoamReach = 0.45;  // of a layer's width
-const float kFoamDeviations = 3.2;  // of the pattern, see foam_pattern.cpp
-const vec3 kFoamLace = vec3(0.42, 0.72, 0.55);  // weights of patches, lace and bubbles; the sum of squares is 1
 const float kFoamEdge = 0.02;  // variance that softens every edge
-const vec3 kStreakLines = vec3(0.45, 0.6, 0.5);  // weights of rows and lines, and of lace
-const float kStreakLace = 0.43;
 const float kStreakShare = 0.28, kStreakOpacity = 0.45;
 
 vec2 sea_foam_layer(vec2 q, float layer) {
@@ -21,45 +19,51 @@ vec2 sea_foam_layer(vec2 q, float layer) {
   return layer < float(kFoamLayers) ? share : ocean.foam_share.x * vec2(1.0, 0.15);
 }
 
-// Shares of the surface under thin and thick foam at a point of water at rest (relative to the camera),
-// over `size` m. Outside the map: the sea's mean.
-vec2 sea_foam_share(vec2 q, float size) {
-  // A layer is used out to nine tenths of its half width, and where its cells are as small as a pixel.
+// The layer that is used at a place, as a number that grows evenly with the logarithm of the distance: each
+// is used out to nine tenths of its half width, and where its cells are as small as a pixel.
+float sea_foam_wide(vec2 q, float size) {
   float reach = max(max(abs(q.x), abs(q.y)), 20.0 * size);
-  // The first that reaches so far, each being four times as wide as the one before, and, toward its rim,
-  // the next; after the last the sea's mean.
-  float wide = 0.5 * log2(max(reach * ocean.foam_map[0].z / kFoamReach, 1.0e-6));
-  float layer = clamp(ceil(wide), 0.0, float(kFoamLayers));
-  vec2 share = sea_foam_layer(q, layer);
-  float next = smoothstep(-0.16, 0.0, wide - layer);
-  for (int i = 0; i < int(next > 0.0); ++i) share = mix(share, sea_foam_layer(q, layer + 1.0), next);
-  return share;
+  return 0.5 * log2(max(reach * ocean.foam_map[0].z / kFoamReach, 1.0e-6));
 }
 
-// Deviations of the pattern from its mean at a place and a factor of it; `fineness`: log2 texels.
-float foam_lace(vec2 at, float fineness) {
+// Shares of the surface under thin and thick foam at a point of water at rest (relative to the camera).
+// Outside the map: the sea's mean.
+vec2 sea_foam_share(vec2 q, float wide) {
+  // The first that reaches so far, each being four times as wide as the one before, and, toward its rim,
+  // the next; after the last the sea's mean.
+  float layer = clamp(ceil(wide), 0.0, float(kFoamLayers));
+  float next = smoothstep(-0.16, 0.0, wide - layer);
+#ifdef PICK_LEVELS
+  return sea_foam_layer(q, next > sea_die() ? layer + 1.0 : layer);
+#else
+  return mix(sea_foam_layer(q, layer), sea_foam_layer(q, layer + 1.0), next);
+#endif
+}
+
+// Values of a picture at a place in the foam's grid; `fineness`: log2 of the pixel in 1/256 of its unit.
+vec2 foam_picture(sampler2D picture, float period, vec2 at, float fineness) {
+  fineness += log2(float(kFoamTexels) / 256.0 / period);
 #ifdef PICK_LEVELS
   fineness = floor(max(fineness, 0.0) + sea_die());
 #endif
-  return kFoamDeviations * (2.0 * textureLod(foam_pattern, at, fineness).r - 1.0);
+  return textureLod(picture, at / period, fineness).rg;
 }
-// What of the pattern's variance is left when 2^fineness of its texels are averaged (fitted, to .04).
-vec3 foam_lace_left(vec3 fineness) {
+// What of a pattern's variance is left when 2^fineness of its texels are averaged (fitted, to .04).
+vec3 foam_pattern_left(vec3 fineness) {
   vec3 f = max(fineness, 0.0);
   return max(1.0 - 0.0306 * f * f, 0.0);
 }
 
 // Streaks of old foam along the wind, drawn together by water that sinks between rolls (Langmuir 1938):
-// lines of a metre or two that join and part, in rows. An opacity. `lace`: that of the foam.
-float foam_streaks(vec2 at, float fineness, float thin, float lace) {
-  vec3 lines = vec3(foam_lace(0.125 * at, fineness - 3.0),
-                    foam_lace(vec2(0.125 * at.x, 0.625 * at.y + 0.125 * at.x), fineness - 0.7),
-                    foam_lace(vec2(0.25 * at.x, 1.75 * at.y - 0.125 * at.x), fineness + 0.8));
-  vec3 left = foam_lace_left(fineness + vec3(-3.0, -0.7, 0.8));
+// lines of a metre or two that join and part, in rows. An opacity. `pattern`: deviations; `left`: what of
+// its lace's variance the pixel shows.
+float foam_streaks(float pattern, float fineness, float thin, float left) {
+  const vec3 kWeights = vec3(kStreakRows * kStreakRows, kStreakLines * kStreakLines,
+                             kStreakThreads * kStreakThreads);
   float share = clamp(kStreakShare * ocean.foam_share.w + 0.5 * thin, 0.01, 0.6);
-  float unseen = dot(kStreakLines * kStreakLines, vec3(1.0) - left);
-  unseen += kStreakLace * kStreakLace * (1.0 - foam_lace_left(vec3(fineness)).x) + 0.05;
-  float over = dot(kStreakLines, lines) + kStreakLace * lace - 1.02 * normal_point(share);
+  float unseen = dot(kWeights, vec3(1.0) - foam_pattern_left(fineness + vec3(-3.0, -1.3, -0.2)));
+  unseen += kStreakLace * kStreakLace * (1.0 - left) + 0.05;
+  float over = pattern - 1.02 * normal_point(share);
   // Faint at the rim.
   return kStreakOpacity * normal_below(over * inversesqrt(unseen)) * clamp(0.35 + over, 0.35, 1.0);
 }
@@ -81,7 +85,8 @@ struct Foam {
 // distribution has that share. What of the sum a pixel cannot show softens the edge by just so much that
 // the mean stays the share, at any distance.
 Foam sea_foam(vec2 q, float size, float jacobian, float unresolved) {
-  vec2 share = sea_foam_share(q, size);
+  float wide = sea_foam_wide(q, size);
+  vec2 share = sea_foam_share(q, wide);
   float plume = share.x;
   // What breaks in this moment is known pixel by pixel.
   float fresh = normal_below((ocean.foam.x - jacobian) *
@@ -93,20 +98,19 @@ Foam sea_foam(vec2 q, float size, float jacobian, float unresolved) {
   vec2 at = ocean.foam_grid.xy + vec2(dot(along, q), ocean.foam_stretch.x *
             (along.x * q.y - along.y * q.x));
   float fineness = log2(max(size * length(along) * ocean.foam_stretch.y, 1.0e-6));
-  // Most of the sea has none. (A loop: a CPU renderer runs both sides of an if.)
-  for (int i = 0; i < int(max(share.x, ocean.foam_share.w) > 2.0e-3 && fineness < 12.0); ++i) {
-    // (Factors are whole eighths: places are known up to eight periods.)
-    vec3 lace = vec3(foam_lace(at * vec2(0.375, 0.25), fineness - 2.0),
-                     foam_lace(at * vec2(1.5, 1.0), fineness),
-                     foam_lace(at.yx * vec2(2.75, 4.5), fineness + 1.4));
-    vec3 left = foam_lace_left(fineness + vec3(-2.0, 0.0, 1.4));
+  // Most of the sea has none.
+  if (max(share.x, ocean.foam_share.w) > 2.0e-3 && fineness < 12.0) {
+    float lace = foam_picture(foam_lace_picture, kFoamLacePeriod, at, fineness).r;
+    vec2 rows = foam_picture(foam_rows_picture, kFoamRowsPeriod, at, fineness);
+    vec3 left = foam_pattern_left(fineness + vec3(-1.7, 0.3, 1.9));
     // Where the map does not show waves their crests decide.
-    float reach = max(max(abs(q.x), abs(q.y)), 20.0 * size);
-    float by_crest = sea_unresolved(reach * ocean.foam_stretch.z);
-    vec3 weight = kFoamLace * sqrt(1.0 - 0.85 * by_crest);
+    vec4 passed = clamp(vec4(wide) - vec4(0.0, 1.0, 2.0, 3.0), 0.0, 1.0);
+    float by_crest = 0.85 * (ocean.foam_stretch.z + dot(ocean.foam_crest, passed));
     float crest = (1.0 - jacobian) * inversesqrt(max(ocean.foam_share.z, 1.0e-6));
-    float sum = dot(weight, lace) + sqrt(0.85 * by_crest) * crest;
-    float unseen = dot(weight * weight, vec3(1.0) - left) + 0.85 * by_crest * unresolved + kFoamEdge;
+    float sum = sqrt(1.0 - by_crest) * (kFoamPatches * rows.r + lace) + sqrt(by_crest) * crest;
+    const vec3 kWeights = vec3(kFoamPatches * kFoamPatches, kFoamLace * kFoamLace,
+                               kFoamBubbles * kFoamBubbles);
+    float unseen = (1.0 - by_crest) * dot(kWeights, vec3(1.0) - left) + by_crest * unresolved + kFoamEdge;
     vec2 point = sqrt(1.0 + kFoamEdge) * vec2(normal_point(clamp(share.x, 1.0e-4, 0.999)),
                                               normal_point(clamp(share.y, 1.0e-4, 0.999)));
     vec2 over = vec2(sum) - point;
@@ -116,9 +120,9 @@ Foam sea_foam(vec2 q, float size, float jacobian, float unresolved) {
     vec2 dense = mix(vec2(0.45), smoothstep(vec2(0.0), vec2(1.1, 0.7), over), 1.0 - min(unseen, 1.0));
     foam.cover = cover.x;
     foam.opacity = mix(cover.x * mix(0.22, 0.85, dense.x), mix(0.75, 1.0, dense.y), cover.y);
-    foam.relief = lace.y + lace.z;
-    for (int j = 0; j < int(ocean.foam_share.w > 0.0); ++j) {
-      float streaks = foam_streaks(at, fineness, plume, 0.7 * (lace.y + lace.z));
+    foam.relief = 1.56 * lace;
+    if (ocean.foam_share.w > 0.0) {
+      float streaks = foam_streaks(rows.g + 0.47 * lace, fineness, plume, left.y);
       foam.opacity = mix(foam.opacity, 1.0, streaks * (1.0 - foam.cover));
     }
   }

@@ -27,8 +27,26 @@ void add_cascade(int c, vec2 parameter, float size, inout vec4 sum, inout vec3 s
   }
 }
 
-// `parameter`: the water at rest (m, relative to the camera); `footprint`: m.
-Surface read_surface(vec2 parameter, float footprint) {
+#ifdef RIPPLES
+// Slope of ripples that no cascade carries: the finest one's picture, smaller, carried along by as much as
+// real ones are faster. (Short waves hold much the same slope in each octave: Phillips 1958.)
+vec2 ripples(vec2 parameter, float size) {
+  const int kFinest = CASCADES - 1;
+  float level = sea_map_level_log2(kFinest, size - log2(kRippleScale));
+  float share = sea_map_share(level) * ocean.grid[kFinest].w;
+  vec2 g = ocean.grid[kFinest].xy / kRippleScale;
+  vec2 away = vec2(g.x * parameter.x + g.y * parameter.y, g.x * parameter.y - g.y * parameter.x);
+  vec3 place = vec3(ocean.origin[kFinest].zw + away, float(kFinest));
+#ifdef PICK_LEVELS
+  level = sea_map_level_picked(level, sea_die());
+#endif
+  return share * textureLod(sea_slopes, place, level).xy;
+}
+#endif
+
+// `parameter`: the water at rest (m, relative to the camera); `footprint`: m; `gust`: what the local wind
+// does to the variance of ripples.
+Surface read_surface(vec2 parameter, float footprint, float gust) {
   float size = log2(footprint);
   vec4 sum = vec4(0.0);
   vec3 squeeze = vec3(0.0);  // Dxx, Dzz, Dxz
@@ -38,11 +56,18 @@ Surface read_surface(vec2 parameter, float footprint) {
   if (CASCADES > 2) add_cascade(2, parameter, size, sum, squeeze);
   if (CASCADES > 3) add_cascade(3, parameter, size, sum, squeeze);
   if (CASCADES > 4) add_cascade(4, parameter, size, sum, squeeze);
+#ifdef RIPPLES
+  sum.xy += sqrt(gust) * ripples(parameter, size);
+#endif
   Surface surface;
   surface.slope = surface_slope(sum.x, sum.y, sum.z, sum.w, squeeze.z);
   surface.jacobian = surface_jacobian(squeeze.x, squeeze.y, squeeze.z);
+#ifdef PICK_LEVELS
+  vec4 missing = sea_missing_picked(size, sea_die());
+#else
   vec4 missing = sea_missing(size);
+#endif
   surface.unresolved = missing.w;
-  surface.covariance = missing.xyz;
+  surface.covariance = gust * missing.xyz;
   return surface;
 }

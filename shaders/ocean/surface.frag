@@ -31,7 +31,9 @@ layout(binding = 6) uniform sampler2D hull;  // the picture so far
 #endif
 layout(binding = 4) uniform sampler2D horizon_sky;  // see air.frag
 layout(binding = OFFING_UNIT_GUSTS) uniform sampler2D gusts;
+#ifdef SQUALLS
 layout(binding = OFFING_UNIT_SQUALLS) uniform sampler2D squalls;
+#endif
 
 const float kFoamAlbedo = 0.55;  // fresh whitecaps, Koepke 1984
 const float kCrestScatter = 0.034; // 1/sr: light turned toward the eye in a crest
@@ -40,16 +42,41 @@ const float kPlumeAlbedo = 0.12;  // of clouds of bubbles under them (by eye)
 // Ripples answer a gust at once, and steeply: their growth goes with the square of the wind's pull (Plant
 // 1982), so do the cat's paws that sailors look for. What the wind does to their variance.
 float gustiness(vec2 parameter) {
-  float gust = 1.0 + ocean.gust.w * textureLod(gusts, ocean.gust.xy + parameter * ocean.gust.z, 0.0).r;
-  for (int i = 0; i < int(ocean.squall.w); ++i) {  // under rain
-    gust += textureLod(squalls, ocean.squall.xy + parameter * ocean.squall.z, 0.0).r;
-  }
+  vec2 place = ocean.gust.xy + parameter * ocean.gust.z;
+#ifdef PICK_LEVELS
+  ivec2 texel = ivec2(floor(place * float(kGustTexels) + (sea_die() - 0.5)));
+  float field = texelFetch(gusts, texel & (kGustTexels - 1), 0).r;
+#else
+  float field = textureLod(gusts, place, 0.0).r;
+#endif
+  float gust = 1.0 + ocean.gust.w * field;
+#ifdef SQUALLS
+  gust += textureLod(squalls, ocean.squall.xy + parameter * ocean.squall.z, 0.0).r;  // under rain
+#endif
   return clamp(gust * gust * gust, 0.2, 3.0);
 }
 
 float variance_along(vec3 covariance, vec2 direction) {
   return dot(direction * direction, covariance.xy) +
          2.0 * direction.x * direction.y * covariance.z;
+}
+
+// What is smooth, low reads by chance from one texel: the mean is that of a straight line between them.
+vec3 horizon_radiance(vec2 heading) {
+  float place = horizon_place(heading);
+#ifdef PICK_LEVELS
+  int texel = int(place * float(kHorizonTexels) + sea_die() - 0.5 + float(kHorizonTexels));
+  return texelFetch(horizon_sky, ivec2(texel & (kHorizonTexels - 1), 0), 0).rgb;
+#else
+  return textureLod(horizon_sky, vec2(place, 0.5), 0.0).rgb;
+#endif
+}
+vec3 sky_mirrored(vec3 direction, float roughness) {
+#ifdef PICK_LEVELS
+  return probe_radiance_picked(direction, roughness, sea_die());
+#else
+  return probe_radiance(direction, roughness);
+#endif
 }
 
 // Light of a disc mirrored by the facets that happen to face half way (Cox & Munk 1954; the mean over
@@ -81,15 +108,13 @@ vec3 sea_radiance(vec4 seen) {
   // Above the mean sea level, over the curved earth.
   float height = diffuse_height.w - distance * view.y +
                  distance * distance * dot(view.xz, view.xz) / kTwiceEarthRadius;
-  Surface surface = read_surface(parameter, seen.z);
-  surface.covariance *= gustiness(parameter);
+  Surface surface = read_surface(parameter, seen.z, gustiness(parameter));
 
   vec3 light = light_time.xyz;
   vec3 direct = direct_exposure.rgb * cloud_shadow(-view * distance);
 #ifdef HULL_SHADOW
-  for (int i = 0; i < int(boat_shadow_reaches(boat_shadow_place(-view * distance))); ++i) {
-    direct *= boat_shade(-view * distance);
-  }
+  vec3 water = -view * distance;
+  if (boat_shadow_reaches(boat_shadow_place(water))) direct *= boat_shade(water);
 #endif
   vec3 from_sky = diffuse_height.rgb;
   vec3 down = from_sky + direct * max(light.y, 0.0);
@@ -111,8 +136,8 @@ vec3 sea_radiance(vec4 seen) {
   float below = clamp(-4.0 * mirrored.y, 0.0, 1.0);  // other waves instead of sky
   // The facets of this pixel as a rough mirror: the GGX width of their mean variance.
   float width = sqrt(surface.covariance.x + surface.covariance.y);
-  vec3 sky_light = probe_radiance(vec3(mirrored.x, max(abs(mirrored.y), 0.01), mirrored.z),
-                                  sqrt(min(width, 1.0)));
+  vec3 sky_light = sky_mirrored(vec3(mirrored.x, max(abs(mirrored.y), 0.01), mirrored.z),
+                                sqrt(min(width, 1.0)));
 
   // Light that has been below.
   vec3 body = ocean.body.rgb * down;
@@ -135,11 +160,11 @@ vec3 sea_radiance(vec4 seen) {
 #ifdef HULL
   // A hull under the surface, through the water before it and bent by its slope.
   vec2 sides = texelFetch(dry, ivec2(gl_FragCoord.xy), 0).xy;
-  float water = sides.x > 0.0 ? 1.0 / sides.x - distance : 0.0;
-  for (int i = 0; i < int(water > 0.0 && water < 8.0); ++i) {
-    vec2 shift = surface.slope * (0.5 * min(water, 1.0) / (frame.camera.w * max(distance, 1.0)));
+  float depth = sides.x > 0.0 ? 1.0 / sides.x - distance : 0.0;
+  if (depth > 0.0 && depth < 8.0) {
+    vec2 shift = surface.slope * (0.5 * min(depth, 1.0) / (frame.camera.w * max(distance, 1.0)));
     ivec2 at = ivec2(clamp(gl_FragCoord.xy + shift, vec2(0.0), frame.viewport.xy - 1.0));
-    vec3 lost = exp(-(ocean.absorption.rgb + 12.0 * ocean.backscatter.rgb) * (2.0 * water));
+    vec3 lost = exp(-(ocean.absorption.rgb + 12.0 * ocean.backscatter.rgb) * (2.0 * depth));
     body = mix(body, texelFetch(hull, at, 0).rgb / direct_exposure.w, lost);
   }
 #endif
@@ -156,7 +181,7 @@ vec3 sea_radiance(vec4 seen) {
 
   // Air that fills the view to the horizon looks as the horizon does.
   vec3 clear = exp(-haze.rgb * distance);
-  vec3 horizon = textureLod(horizon_sky, vec2(horizon_place(-view.xz), 0.5), 0.0).rgb;
+  vec3 horizon = horizon_radiance(-view.xz);
   radiance = mix(horizon, radiance, clear);
   return max(radiance, vec3(0.0));
 }

@@ -34,9 +34,15 @@ float sea_map_level_picked(float level, float die) {
   return min(floor(level + die), float(kOceanMapLevels - 1));
 }
 
+float sea_missing_entry(float size_log2) { return (size_log2 - kRoughnessFirst) * kRoughnessSteps; }
 vec4 sea_missing(float size_log2) {
-  float entry = (size_log2 - kRoughnessFirst) * kRoughnessSteps;
+  float entry = sea_missing_entry(size_log2);
   return textureLod(sea_roughness, vec2((entry + 0.5) / float(kRoughnessEntries), 0.5), 0.0);
+}
+// The same from one entry, by chance; `die`: even over 0 … 1.
+vec4 sea_missing_picked(float size_log2, float die) {
+  int entry = int(max(sea_missing_entry(size_log2) + die, 0.0));
+  return texelFetch(sea_roughness, ivec2(min(entry, kRoughnessEntries - 1), 0), 0);
 }
 // Share of the variance of the breaking waves' Jacobian that is lost over this size (m).
 float sea_unresolved(float size) { return sea_missing(log2(size)).w; }

@@ -36,3 +36,5 @@
 #define OFFING_UNIT_SEA_ROUGHNESS 22    // what the sea's maps do not show
 #define OFFING_UNIT_SQUALLS 23        // engine/environment/squall_field.h, repeating
 #define OFFING_UNIT_BOAT_SHADOW 24    // boat/shadow.glsl
+#define OFFING_UNIT_FOAM_LACE 25      // pictures of foam, repeating: engine/ocean/foam_pattern.h
+#define OFFING_UNIT_FOAM_ROWS 26

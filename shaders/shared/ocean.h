@@ -10,6 +10,10 @@ const int kOceanMaxCascades = 5;
 const int kOceanMapLevels = 6;  // levels of the maps: 0 to 5
 // The foam map's layers: squares about the viewer, each four times as wide as the one inside it.
 const int kFoamLayers = 4;
+// Ripples finer than the finest cascade are its picture at this scale.
+const float kRippleScale = 0.1763f;
+const int kGustTexels = 512;     // of the gust field, across
+const int kHorizonTexels = 256;  // of the strip of the horizon's light
 // Where the roughness table begins and how finely it goes on: entries per doubling of the size.
 const float kRoughnessFirst = -6.0f;  // log2 m
 const float kRoughnessSteps = 8.0f;
@@ -18,8 +22,9 @@ const int kRoughnessEntries = 128;
 struct OceanData {
   // Per cascade. Map coordinates of a point: uv = origin.xy + (c x + s z, c z - s x), with x and z
   // relative to the camera and (c, s) = grid.xy = (cos, sin)(angle) / length.
-  vec4 grid[kOceanMaxCascades];    // x: c, y: s (1/m); z: log2 of a map point's size in m
-  vec4 origin[kOceanMaxCascades];  // x, y: uv of the point below the camera
+  vec4 grid[kOceanMaxCascades];    // x: c, y: s (1/m); z: log2 of a map point's size in m;
+                                   // w: of the finest: slope of ripples over its own
+  vec4 origin[kOceanMaxCascades];  // x, y: uv of the point below the camera; z, w: that of its ripples
   vec4 water;      // x: Hs (m); y: number of cascades; z: mesh: distance per spacing; w: finest spacing (m)
   // Cascades are sorted by length: the first foam.z of them have waves long enough to break.
   vec4 foam;       // x: Jacobian at which half the water turns white; y: at which it may be white already;
@@ -29,8 +34,9 @@ struct OceanData {
   vec4 foam_map[kFoamLayers];  // x, y: uv of the point below the camera; z: 1 / width (1/m)
   // Foam texture coordinates: foam_grid.xy + (along . q, stretch (along x q)), along = foam_grid.zw.
   vec4 foam_grid;     // x, y: of the point below the camera; z, w: unit along the wind / length
-  vec4 foam_stretch;  // x: length along over length across; y: that times texels per length;
-                      // z: size of the foam map's cells (m) a metre away
+  vec4 foam_stretch;  // x: length along over length across; y: that times 256;
+                      // z: what the foam map's finest cells leave out of the breaking waves' variance
+  vec4 foam_crest;    // what each coarser layer leaves out more of it
   vec4 gust;          // x, y: uv of the point below the camera; z: 1 / period (1/m); w: deviation / mean
   vec4 squall;        // x, y: uv of the point below the camera; z: 1 / period (1/m); w: 1 where there are any
   // Water by linear RGB.

@@ -6,9 +6,8 @@ namespace offing::shared {
 using glm::vec4;
 #endif
 
-const int kProbeLevels = 14;  // of roughness: see probe_level() of lib/probe.glsl
+const int kProbeLevels = 17;  // of roughness: see lib/probe.glsl
 const int kProbeHarmonics = 10;
-const int kProbeMips = 5;  // of what it sees, from which the levels are made
 
 struct ProbeData {
   // x, y: first texel; z: texels per side of its two squares, above the level and, right of it, below
@@ -18,6 +17,6 @@ struct ProbeData {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(ProbeData) == 25 * 16);
+static_assert(sizeof(ProbeData) == 28 * 16);
 }  // namespace offing::shared
 #endif

@@ -12,6 +12,5 @@ void main() {
   if (any(greaterThanEqual(texel, size))) return;
   vec2 angle = (vec2(texel) + 0.5) / vec2(size) * vec2(2.0, 1.0) * kPhasePi;
   vec3 d = vec3(sin(angle.x) * sin(angle.y), cos(angle.y), -cos(angle.x) * sin(angle.y));
-  picture[texel.y * size.x + texel.x] =
-      vec4(d.y > -sky.observer.y ? sky_and_clouds(d) : mean_sea(d), 1.0);
+  picture[texel.y * size.x + texel.x] = vec4(sky_clouds_and_sea(d), 1.0);
 }

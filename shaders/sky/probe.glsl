@@ -22,14 +22,17 @@ vec3 probe_read(int level, vec2 units, float below) {
 vec3 probe_radiance(vec3 direction, float roughness) {
   vec2 units = probe_units(direction);
   float below = direction.y < 0.0 ? 1.0 : 0.0;
-  const float kSteps = float(kProbeLevels - 1);
-  float rough = probe_level(clamp(roughness, 0.0, 1.0)) * kSteps;
-  int first = min(int(rough), kProbeLevels - 2);
-  // Next to the mirror by the square, which is how a small blur grows.
-  float share = rough - float(first);
-  share = first == 0 ? share * share : share;
+  float level = probe_level(min(roughness * roughness, 1.0));
+  int first = min(int(level), kProbeLevels - 2);
   return frame.sky_illuminance.rgb * mix(probe_read(first, units, below),
-                                         probe_read(first + 1, units, below), share);
+                                         probe_read(first + 1, units, below), level - float(first));
+}
+
+// One of the two levels that make up probe_radiance(), by chance in proportion; `die`: even over 0 … 1.
+vec3 probe_radiance_picked(vec3 direction, float roughness, float die) {
+  int level = min(int(probe_level(min(roughness * roughness, 1.0)) + die), kProbeLevels - 1);
+  return frame.sky_illuminance.rgb *
+         probe_read(level, probe_units(direction), direction.y < 0.0 ? 1.0 : 0.0);
 }
 
 // Illuminance (lux) of a surface with this normal (unit) from sky, clouds and sea, without the light

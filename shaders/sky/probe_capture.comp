@@ -1,15 +1,14 @@
-// Level 0 of the probe: what is seen from the boat, texel by texel; the finest of its mips; and a list of
-// the same.
+// Level 0 of the probe: what is seen from the boat, texel by texel; and the same as nodes of the sums that the
+// other levels are (engine/sky/probe_plan.h).
 #include "shared/frame.h"
 #include "sky/sky.glsl"
 #include "sky/probe_source.glsl"
 #include "lib/probe.glsl"
-#include "sky/probe_cell.glsl"
 
 layout(local_size_x = 16, local_size_y = 4) in;
 layout(rgba16f, binding = 0) uniform writeonly image2D map;
-layout(rgba32f, binding = 1) uniform writeonly image2D mip;
-layout(std430, binding = 1) writeonly buffer Cells { Cell cells[]; };
+layout(rgba32f, binding = 1) uniform writeonly image2D seen;
+layout(binding = 0) uniform sampler2D places;
 layout(location = 0) uniform ivec4 region;  // first texel, texels per side, first row
 // 1: the sky's tables as they are, for every roughness: no clouds, no sea. Then levels other than 0 are
 // made so too.
@@ -29,19 +28,6 @@ void main() {
   light = min(light, vec3(6.0e4));
   imageStore(map, region.xy + texel, vec4(light, 1.0));
   if (region.y > 0) return;
-  // The solid angle that a texel stands for; of those on the edges half lies outside.
-  float angle = 0.0;
-  for (int i = 0; i < 4; ++i) {
-    vec2 part = units + (0.5 * vec2(i & 1, i >> 1) - 0.25) / float(region.z - 1);
-    bool inside = all(greaterThanEqual(part, vec2(0.0))) && all(lessThanEqual(part, vec2(1.0)));
-    angle += inside ? 0.25 * probe_solid_angle(part) : 0.0;
-  }
-  angle /= float((region.z - 1) * (region.z - 1));
-  imageStore(mip, texel, vec4(light, angle));
-  int side = region.z / kCellTexels;
-  ivec2 cell = texel / kCellTexels, within = texel - kCellTexels * cell;
-  int me = first_texel_of_cell(2 * side * cell.y + cell.x, side) + kCellTexels * within.y + within.x;
-  cells[me].middle = vec4(normalize(d), angle);
   // Between the level and the horizon there is sky, thinner than a texel: in sums it counts. Depth below
   // the level goes with the square of the distance from the square's edge (lib/probe.glsl).
   vec2 edge = 1.0 - max(abs(2.0 * units.x - 1.0), abs(2.0 * units.y - 1.0)) +
@@ -52,5 +38,5 @@ void main() {
   for (int i = 0; i < int(strip > 0.0); ++i) {
     light = mix(light, probe_source(normalize(vec3(d.x, -0.5 * sky.observer.y, d.z))), strip);
   }
-  cells[me].light = vec4(light * angle, 0.0);
+  imageStore(seen, texel, vec4(light, texelFetch(places, texel, 0).w));
 }

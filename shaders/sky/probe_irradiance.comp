@@ -3,12 +3,12 @@
 #include "lib/probe.glsl"
 #include "lib/scattering.glsl"
 #include "shared/probe.h"
-#include "sky/probe_cell.glsl"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) writeonly buffer Coefficients { vec4 coefficients[kProbeHarmonics]; };
-layout(std430, binding = 1) readonly buffer Cells { Cell cells[]; };
-layout(location = 3) uniform int count;
+layout(binding = 0) uniform sampler2D places;  // of nodes: see engine/sky/probe_plan.h
+layout(binding = 1) uniform sampler2D seen;
+layout(location = 0) uniform ivec4 region;  // of those that are summed: first row, width, height
 layout(location = 5) uniform int plain;  // 1: sky_irradiance() of sky.glsl instead
 
 shared vec3 sums[kProbeHarmonics][64];
@@ -19,9 +19,11 @@ void main() {
   vec3 sum[kProbeHarmonics];
   for (int k = 0; k < kProbeHarmonics; ++k) sum[k] = vec3(0.0);
   float angle = 0.0;
-  for (int i = int(me); i < count; i += 64) {
-    vec3 light = cells[i].light.rgb;
-    ProbeBasis b = probe_basis(cells[i].middle.xyz);
+  for (int i = int(me); i < region.y * region.z; i += 64) {
+    ivec2 at = ivec2(i % region.y, region.x + i / region.y);
+    vec4 place = texelFetch(places, at, 0);
+    vec3 light = place.w * texelFetch(seen, at, 0).rgb;
+    ProbeBasis b = probe_basis(place.xyz);
     sum[0] += b.constant * light;
     sum[1] += b.linear.x * light;
     sum[2] += b.linear.y * light;
@@ -32,7 +34,7 @@ void main() {
     sum[7] += b.zonal * light;
     sum[8] += b.sectoral * light;
     sum[9] += b.ring * light;
-    angle += cells[i].middle.w;
+    angle += place.w;
   }
   for (int k = 0; k < kProbeHarmonics; ++k) sums[k][me] = sum[k];
   angles[me] = angle;

@@ -1,15 +1,15 @@
-// The next mip of what the probe sees: means by solid angle, which alpha holds.
+// Nodes of twice the size (engine/sky/probe_plan.h): means of four by solid angle, which alpha holds.
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(rgba32f, binding = 0) uniform readonly image2D finer;
-layout(rgba32f, binding = 1) uniform writeonly image2D coarser;
+layout(rgba32f, binding = 1) uniform image2D seen;
+layout(location = 0) uniform ivec4 region;  // x, y: rows of the finer and the coarser; z, w: size to make
 
 void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(texel, imageSize(coarser)))) return;
+  if (any(greaterThanEqual(texel, region.zw))) return;
   vec4 sum = vec4(0.0);
   for (int i = 0; i < 4; ++i) {
-    vec4 part = imageLoad(finer, 2 * texel + ivec2(i & 1, i >> 1));
+    vec4 part = imageLoad(seen, 2 * texel + ivec2(i & 1, region.x + (i >> 1)));
     sum += part * vec4(part.aaa, 1.0);
   }
-  imageStore(coarser, texel, vec4(sum.rgb / sum.a, sum.a));
+  imageStore(seen, texel + ivec2(0, region.y), vec4(sum.rgb / sum.a, sum.a));
 }

@@ -31,29 +31,33 @@ SeaMirror sea_mirror(float sine, float variance) {
   return m;
 }
 
-// A sea of the wind's mean slopes (Cox & Munk 1954) without its single waves: the sky that facets
-// mirror, light from the water below, and what is reflected of sun and moon. Their glitter is spread
-// over all directions: a rough mirror or a hull sees as much light, and a small map can hold it.
-vec3 mean_sea(vec3 d) {
+// Radiance from a direction in cd/m^2. Below the horizon lies a sea of the wind's mean slopes (Cox & Munk 1954)
+// without its single waves: the sky that facets mirror, light from the water below, and what is reflected of
+// sun and moon. Their glitter is spread over all directions: a rough mirror or a hull sees as much light, and
+// a small map can hold it.
+vec3 sky_clouds_and_sea(vec3 d) {
   const vec3 kBody = vec3(0.0013, 0.0057, 0.0095);  // share of light sent back from below, per sr
+  bool below = d.y <= -sky.observer.y;
   float variance = 0.5 * (0.003 + 0.00512 * frame.wind.w);  // along each axis
   SeaMirror seen = sea_mirror(max(-d.y, 0.0), variance);
   vec2 toward = normalize(d.xz + vec2(1.0e-6, 0.0));
   vec3 mirrored = reflect(d, normalize(vec3(-toward.x * seen.slope, 1.0, -toward.y * seen.slope)));
-  vec3 sum = seen.reflectance *
-             sky_and_clouds(normalize(vec3(mirrored.x, abs(mirrored.y) + 1.0e-3, mirrored.z)));
-  vec3 fallen = frame.sky_illuminance.rgb;
-  for (int i = 0; i < 2; ++i) {
-    float sine = max(i == 0 ? frame.sun_direction.y : frame.moon_direction.y, 0.0);
-    vec3 lux = sine * (i == 0 ? frame.sun_illuminance.rgb : frame.moon_illuminance.rgb);
-    fallen += lux;
-    sum += lux * (sea_mirror(sine, variance).reflectance / kWaterPi);
+  mirrored = normalize(vec3(mirrored.x, abs(mirrored.y) + 1.0e-3, mirrored.z));
+  vec3 radiance = sky_and_clouds(below ? mirrored : d);
+  // A loop, as a CPU renderer runs both sides of an if.
+  for (int sea = 0; sea < int(below); ++sea) {
+    vec3 fallen = frame.sky_illuminance.rgb;
+    radiance *= seen.reflectance;
+    for (int i = 0; i < 2; ++i) {
+      float sine = max(i == 0 ? frame.sun_direction.y : frame.moon_direction.y, 0.0);
+      vec3 lux = sine * (i == 0 ? frame.sun_illuminance.rgb : frame.moon_illuminance.rgb);
+      fallen += lux;
+      radiance += lux * (sea_mirror(sine, variance).reflectance / kWaterPi);
+    }
+    radiance += (1.0 - seen.reflectance) * kBody * fallen;
   }
-  return sum + (1.0 - seen.reflectance) * kBody * fallen;
+  return radiance;
 }
 
-// Radiance from a direction over the sky's level illuminance.
-vec3 probe_source(vec3 d) {
-  vec3 radiance = d.y > -sky.observer.y ? sky_and_clouds(d) : mean_sea(d);
-  return radiance / max(frame.sky_illuminance.rgb, vec3(1.0e-9));
-}
+// The same over the sky's level illuminance, as the probe holds it.
+vec3 probe_source(vec3 d) { return sky_clouds_and_sea(d) / max(frame.sky_illuminance.rgb, vec3(1.0e-9)); }

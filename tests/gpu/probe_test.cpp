@@ -57,36 +57,31 @@ class ProbeTest : public test::SkyGraphTest {
 };
 
 TEST_F(ProbeTest, RoughMirrorsAgreeWithBruteForce) {
-  // The first frame is whole. Most of these lie between two levels of the map.
-  for (const double elevation : {50.0, -4.0}) {
-    for (const float roughness : {0.0f, 0.07f, 0.1f, 0.15f, 0.2f, 0.3f, 0.4f, 0.6f, 0.8f, 1.0f}) {
-      const auto answers = frame(sun_at(240.0, elevation), queries_all_round(256, roughness),
-                                 roughness == 0.0f ? 1 : 4096);
+  // The first frame is whole. Most of these lie between two levels of the map. The mean is that of
+  // the whole sphere; with the sun at 6 degrees red light beside it is seventy times as much, and
+  // the brute force with 4096 samples itself errs by 0.8 % at roughness 0.2 and 2.2 % at 1: there
+  // it takes 8192.
+  for (const double elevation : {50.0, 6.0, -4.0}) {
+    for (const float roughness : {0.0f, 0.05f, 0.07f, 0.1f, 0.15f, 0.2f, 0.3f, 0.4f, 0.6f, 1.0f}) {
+      const int samples = roughness == 0.0f ? 1 : elevation == 6.0 ? 8192 : 4096;
+      const auto answers =
+          frame(sun_at(240.0, elevation), queries_all_round(256, roughness), samples);
       EXPECT_LT(relative_rms(answers), 0.02) << elevation << " " << roughness;
     }
   }
 }
 
 TEST_F(ProbeTest, ALowSunsGlowIsKept) {
-  // The mean is that of the whole sphere, in red a twentieth of the glow beside the sun: one
-  // direction there that is off by a tenth counts for most of it, in the brute force too, which
-  // needs more samples here. Between levels next to that glow 4 % of the mean are left.
   for (const float roughness : {0.07f, 0.1f, 0.2f, 0.3f, 0.4f, 0.6f, 0.8f, 1.0f}) {
-    const auto answers = frame(sun_at(240.0, 6.0), queries_all_round(256, roughness),
-                               roughness < 0.5f ? 4096 : 8192);
-    const bool beside = roughness < 0.5f;
-    EXPECT_LT(relative_rms(answers), beside ? 0.045 : 0.02) << roughness;
-    double most = 0.0, shown = 0.0, error = 0.0, all = 0.0;
+    const auto answers = frame(sun_at(240.0, 6.0), queries_all_round(256, roughness), 4096);
+    double most = 0.0, shown = 0.0;
     for (const ProbeAnswer& answer : answers) {
-      const double wanted = luminance(answer.reference), seen = luminance(answer.probe);
-      error += (seen - wanted) * (seen - wanted);
-      all += wanted * wanted;
+      const double wanted = luminance(answer.reference);
       if (wanted <= most) continue;
       most = wanted;
-      shown = seen;
+      shown = luminance(answer.probe);
     }
-    EXPECT_LT(std::sqrt(error / all), 0.02) << roughness;  // of the luminance, over its own rms
-    EXPECT_NEAR(shown / most, 1.0, 0.05) << roughness;
+    EXPECT_NEAR(shown / most, 1.0, 0.02) << roughness;
   }
 }
 

@@ -32,6 +32,28 @@ class SeaPicture : public test::GraphTest {
     return shaders_->program({test::test_data() / "data/shaders" / name}, defines);
   }
 
+  /// Runs `dispatch` with the sea's surface of `view` bound.
+  template <typename Dispatch>
+  void read_surface(Ocean& ocean, const OceanView& view, const Dispatch& dispatch) {
+    graph_->begin_frame();
+    const SeaIds sea = ocean.add_maps(*graph_, view.time, false);
+    const TextureId foam = ocean.add_foam(*graph_, view, sea, true);
+    const SurfaceAccess access = ocean.surface_access(sea, foam);
+    graph_->add(
+        "reader",
+        [&](PassBuilder& pass) {
+          access.declare(pass);
+          pass.side_effect();
+        },
+        [&](PassContext& context) {
+          access.bind(context);
+          dispatch();
+          access.unbind();
+        });
+    graph_->execute();
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  }
+
   /// Of places up to `reach` from the eye on both axes, for each sort of pixels; the sea's maps and
   /// foam are those of `time`.
   std::vector<Means> means(Ocean& ocean, const ShaderProgram& reader, double time,
@@ -49,30 +71,15 @@ class SeaPicture : public test::GraphTest {
     }
     const gl::Buffer in = gl::Buffer::of<float>("places", places);
     const gl::Buffer out("seen", places.size() * sizeof(float), 0);
-    const gl::Sampler wrapped("wrapped", GL_LINEAR, GL_LINEAR, GL_REPEAT, GL_REPEAT);
-    graph_->begin_frame();
-    const SeaIds sea = ocean.add_maps(*graph_, time, false);
     OceanView view;
     view.eye = eye;
     view.time = time;
-    const TextureId foam = ocean.add_foam(*graph_, view, sea, true);
-    const SurfaceAccess access = ocean.surface_access(sea, foam);
-    graph_->add(
-        "reader",
-        [&](PassBuilder& pass) {
-          access.declare(pass);
-          pass.side_effect();
-        },
-        [&](PassContext& context) {
-          access.bind(context);
-          in.bind_storage(0);
-          out.bind_storage(1);
-          reader.use();
-          glDispatchCompute(static_cast<GLuint>(sorts.size() * kPlaces / 64), 1, 1);
-          access.unbind();
-        });
-    graph_->execute();
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    read_surface(ocean, view, [&] {
+      in.bind_storage(0);
+      out.bind_storage(1);
+      reader.use();
+      glDispatchCompute(static_cast<GLuint>(sorts.size() * kPlaces / 64), 1, 1);
+    });
     std::vector<float> seen(places.size());
     out.read(seen.data(), seen.size() * sizeof(float));
     std::vector<Means> sums(sorts.size());
@@ -118,14 +125,20 @@ TEST_F(SeaPicture, WhitecapsCoverTheShareThatWasObserved) {
   }
 }
 
-// What is really drawn in low, where a pixel reads one of two map levels, plus what it takes for
-// roughness, is the total, from one's feet to 5 km. Waves are taken as they are before they are
-// drawn together.
-TEST_F(SeaPicture, ResolvedAndResidualSlopesMakeTheTotal) {
-  const OceanSettings settings = OceanSettings::of_quality(0);
+// What is really drawn in low, where a pixel reads one of two map levels, and in medium, plus what
+// is taken for roughness, is the total, from one's feet to 5 km. Waves are taken as they are before
+// they are drawn together.
+class SeaPictureOf : public SeaPicture, public ::testing::WithParamInterface<int> {};
+INSTANTIATE_TEST_SUITE_P(Quality, SeaPictureOf, ::testing::Values(0, 1));
+TEST_P(SeaPictureOf, ResolvedAndResidualSlopesMakeTheTotal) {
+  const OceanSettings settings = OceanSettings::of_quality(GetParam());
   Ocean ocean(*shaders_, settings);
-  const ShaderProgram& reader = program(
-      "sea_picture.comp", {{"CASCADES", std::to_string(settings.cascades)}, {"PICK_LEVELS", ""}});
+  ShaderDefines defines{{"CASCADES", std::to_string(settings.cascades)}};
+  if (GetParam() == 0) {
+    defines.emplace_back("PICK_LEVELS", "");
+    defines.emplace_back("RIPPLES", "");
+  }
+  const ShaderProgram& reader = program("sea_picture.comp", defines);
   Environment environment;
   SeaState state;
   state.choppiness = 0.0;
@@ -166,26 +179,12 @@ TEST_F(SeaPicture, SparklesKeepTheMeanOfTheGlitter) {
     for (const float density : {0.05f, 1.0f, 20.0f}) {
       double sum = 0.0, squares = 0.0;
       for (const float time : {0.05f, 1.05f, 2.05f, 3.05f}) {
-        graph_->begin_frame();
-        const SeaIds sea = ocean.add_maps(*graph_, 0.0, false);
-        const TextureId foam = ocean.add_foam(*graph_, {}, sea, true);
-        const SurfaceAccess access = ocean.surface_access(sea, foam);
-        graph_->add(
-            "reader",
-            [&](PassBuilder& pass) {
-              access.declare(pass);
-              pass.side_effect();
-            },
-            [&](PassContext& context) {
-              access.bind(context);
-              out.bind_storage(1);
-              reader.use();
-              reader.program().set(0, glm::vec4(size, density, time, 0.0f));
-              glDispatchCompute(kPatches / 64, 1, 1);
-              access.unbind();
-            });
-        graph_->execute();
-        glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        read_surface(ocean, {}, [&] {
+          out.bind_storage(1);
+          reader.use();
+          reader.program().set(0, glm::vec4(size, density, time, 0.0f));
+          glDispatchCompute(kPatches / 64, 1, 1);
+        });
         std::vector<float> factors(kPatches);
         out.read(factors.data(), kPatches * sizeof(float));
         for (const float factor : factors) {

@@ -14,7 +14,7 @@ layout(std430, binding = 1) writeonly buffer Seen { vec4 seen[]; };     // cover
 void main() {
   vec4 place = places[gl_GlobalInvocationID.x];
   die = place.z;
-  Surface surface = read_surface(place.xy, place.w);
+  Surface surface = read_surface(place.xy, place.w, 1.0);
   Foam foam = sea_foam(place.xy, place.w, surface.jacobian, surface.unresolved);
   seen[gl_GlobalInvocationID.x] = vec4(foam.cover, foam.opacity, dot(surface.slope, surface.slope),
                                        surface.covariance.x + surface.covariance.y);
