@@ -215,8 +215,7 @@ TEST_F(CloudsTest, DoNotFlicker) {
   RecordProperty("worst", std::to_string(worst));
   RecordProperty("mean", std::to_string(all / counted));
   EXPECT_GT(all, 0.0);
-  EXPECT_LT(all / counted, 1.0);
-  EXPECT_LT(worst, 1.5);  // one frame in the two seconds goes to 1.07
+  EXPECT_LT(worst, 1.0);
 }
 
 TEST_F(CloudsTest, EverywhereAndInEveryLightIsFinite) {
