@@ -314,10 +314,12 @@ void Ocean::update_block(const OceanView& view) {
   // Irradiance reflectance .33 bb / (a + bb) (Gordon et al. 1975) and the way through the surface
   // and back, .54.
   data.body = rgb(0.54 * 0.33 / kPi * body.backscatter / (body.absorption + body.backscatter));
-  data.crest_thin = rgb(glm::exp(-1.2 * extinction));
-  data.crest_thick = rgb(glm::exp(-9.0 * extinction));
-  data.absorption = rgb(body.absorption);
-  data.backscatter = rgb(body.backscatter);
+  data.plume = rgb(glm::exp(-1.2 * extinction));
+  // Most scattering turns light by little, and it goes on: of b some .15 is lost to the way.
+  const glm::dvec3 loss = body.absorption + 0.15 * body.scattering;
+  data.crest_loss = rgb(loss);
+  data.crest_gain = rgb(0.5 / (glsl::kWaterIndex * glsl::kWaterIndex) * body.scattering / loss);
+  data.hull_loss = rgb(body.absorption + 12.0 * body.backscatter);
   block_.write(data);
 }
 

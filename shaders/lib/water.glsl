@@ -100,6 +100,10 @@ float visible_share(float level, float width) {
   return 1.0 / (1.0 + hidden);
 }
 
+// Share of scattered light that sea water turns into a direction, 1/sr, by the cosine of the angle that it
+// is turned by: a fit to Petzold's mean of particles (Mobley 1994, table 3.10) from 10 to 90 degrees.
+float sea_water_phase(float cosine) { return 0.0031 * pow(1.012 - cosine, -1.6); }
+
 // Probability density of a slope, normal with the covariance xx, zz, xz (Cox & Munk 1954 without
 // their skewness).
 float slope_density(vec2 slope, float xx, float zz, float xz) {

@@ -36,7 +36,10 @@ layout(binding = OFFING_UNIT_SQUALLS) uniform sampler2D squalls;
 #endif
 
 const float kFoamAlbedo = 0.55;  // fresh whitecaps, Koepke 1984
-const float kCrestScatter = 0.034; // 1/sr: light turned toward the eye in a crest
+const float kBackSlope = 0.3;     // of a steep wave's far side
+// Light turned by 40 to 60 degrees in some metres of water over what one turn alone brings there (estimated for
+// b way = 1, where half of it has been turned again).
+const float kScatteredAgain = 1.8;
 const float kPlumeAlbedo = 0.12;  // of clouds of bubbles under them (by eye)
 
 // Ripples answer a gust at once, and steeply: their growth goes with the square of the wind's pull (Plant
@@ -100,6 +103,29 @@ vec3 glitter(Surface surface, vec3 view, float shown_area, vec3 light, vec3 illu
                         (4.0 * max(ny2 * ny2, 1.0e-3) * max(shown_area, 1.0e-3)));
 }
 
+// Light that has come through a crest from behind: radiance before Fresnel's share of the near face. It
+// enters by the far side, whose slope is kBackSlope, is lost on its way through the crest and, scattered, on the
+// view's ray behind the face, along which it comes from ever farther:
+//   L = E cos i / cos t  p(turn)  b / (2 K)  exp(-K way) / n^2.
+// The turn is that between both refracted rays: gentle faces look down into the water, away from the beam;
+// steep ones toward it, and glow.
+vec3 through_crest(vec2 slope, vec3 view, vec3 light, vec3 direct, vec3 from_sky, float height) {
+  vec2 ahead = light.xz / max(length(light.xz), 1.0e-3);
+  vec3 front = vec3(-slope.x, 1.0, -slope.y) * inversesqrt(1.0 + dot(slope, slope));
+  vec3 back = vec3(ahead.x * kBackSlope, 1.0, ahead.y * kBackSlope) *
+              inversesqrt(1.0 + kBackSlope * kBackSlope);
+  vec3 seen = refract(-view, front, 1.0 / kWaterIndex);
+  vec3 beam = refract(-light, back, 1.0 / kWaterIndex);
+  float lit = max(dot(light, back), 0.0) / max(-dot(beam, back), 0.1);  // of a plane across the beam
+  // Width of the crest at this height: no crest stands much over .55 Hs.
+  float below_top = max(0.55 * ocean.water.x - height, 0.05);
+  float width = below_top * (1.0 / max(-dot(slope, view.xz), 0.1) + 1.0 / kBackSlope);
+  vec3 left = exp(-ocean.crest_loss.rgb * min(width, 60.0));
+  float toward = clamp(-4.0 * dot(view.xz, ahead), 0.0, 1.0);  // the light is beyond the crest
+  float turned = kScatteredAgain * sea_water_phase(-dot(beam, seen)) * lit * toward;
+  return left * ocean.crest_gain.rgb * (direct * turned + from_sky * 0.012);
+}
+
 // Radiance of the water that a pixel sees (mesh.frag).
 vec3 sea_radiance(vec4 seen) {
   vec2 parameter = seen.xy;
@@ -141,21 +167,12 @@ vec3 sea_radiance(vec4 seen) {
 
   // Light that has been below.
   vec3 body = ocean.body.rgb * down;
-  // Thin water near crests lets light through: the path through it shortens with height above the
-  // troughs, and most of it comes from behind, toward the light. Scattered once on the way,
-  // L = E b p s exp(-(a + b) s): b = .2 1/m, p = .1 1/sr at the 40 degrees that it is turned by,
-  // s = 1.7 m (Mobley 1994, ch. 5).
   float steepness = length(surface.slope);
-  float crest = clamp(0.5 + height / max(ocean.water.x, 0.3), 0.0, 1.5) *
-                clamp(1.8 * steepness, 0.0, 1.0);
-  float away = max(-dot(view.xz, light.xz) - 0.25 * view.y, 0.0);
-  float thin = clamp(crest, 0.0, 1.0);
-  vec3 through = mix(ocean.crest_thick.rgb, ocean.crest_thin.rgb, thin * thin);
-  body += through * (direct * (kCrestScatter * away * away) + from_sky * 0.006) * crest;
+  body += through_crest(surface.slope, view, light, direct, from_sky, height);
 
   // Bubbles that breaking water has taken down with it, seen through a metre of water: pale green.
   Foam foam = sea_foam(parameter, seen.z, surface.jacobian, surface.unresolved);
-  body += down * ocean.crest_thin.rgb * (kPlumeAlbedo / kWaterPi * min(1.3 * foam.plume, 1.0));
+  body += down * ocean.plume.rgb * (kPlumeAlbedo / kWaterPi * min(1.3 * foam.plume, 1.0));
 
 #ifdef HULL
   // A hull under the surface, through the water before it and bent by its slope.
@@ -164,7 +181,7 @@ vec3 sea_radiance(vec4 seen) {
   if (depth > 0.0 && depth < 8.0) {
     vec2 shift = surface.slope * (0.5 * min(depth, 1.0) / (frame.camera.w * max(distance, 1.0)));
     ivec2 at = ivec2(clamp(gl_FragCoord.xy + shift, vec2(0.0), frame.viewport.xy - 1.0));
-    vec3 lost = exp(-(ocean.absorption.rgb + 12.0 * ocean.backscatter.rgb) * (2.0 * depth));
+    vec3 lost = exp(-ocean.hull_loss.rgb * (2.0 * depth));
     body = mix(body, texelFetch(hull, at, 0).rgb / direct_exposure.w, lost);
   }
 #endif

@@ -41,9 +41,10 @@ struct OceanData {
   vec4 squall;        // x, y: uv of the point below the camera; z: 1 / period (1/m); w: 1 where there are any
   // Water by linear RGB.
   vec4 body;          // rgb: radiance of the depths over the illuminance that falls on them
-  vec4 crest_thin, crest_thick;  // rgb: light left by 1.2 and 9 m of it
-  vec4 absorption;    // rgb: 1/m
-  vec4 backscatter;   // rgb: 1/m
+  vec4 plume;         // rgb: light left by 1.2 m of it
+  vec4 crest_loss;    // rgb: K, what light loses on its way through a crest (1/m)
+  vec4 crest_gain;    // rgb: b / (2 K n^2)
+  vec4 hull_loss;     // rgb: what light from a hull under the surface loses (1/m)
 };
 
 #ifdef __cplusplus

@@ -153,5 +153,14 @@ TEST(Underwater, AWaveIsALens) {
   EXPECT_NEAR((x + p.way.x * focus) / x, 0.0, 1e-3);
 }
 
+// Petzold's mean of measured particles at 20 to 90 degrees, in a round form of Mobley's table.
+TEST(Underwater, ScatteringIsThatOfSeaWater) {
+  constexpr double kMeasured[][2] = {
+      {20.0, 0.22}, {30.0, 0.072}, {40.0, 0.0315}, {60.0, 0.0094}, {90.0, 0.00305}};
+  for (const auto& [angle, share] : kMeasured) {
+    EXPECT_NEAR(glsl::sea_water_phase(std::cos(radians(angle))) / share, 1.0, 0.1) << angle;
+  }
+}
+
 }  // namespace
 }  // namespace offing
