@@ -5,6 +5,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 
+#include "engine/clouds/lightning.h"
 #include "engine/core/random.h"
 #include "shaders/shared/bindings.h"
 
@@ -58,7 +59,7 @@ shared::CloudData cloud_data(const CloudView& view, const SkyLight& light) {
   data.form = pack(p.density_threshold, p.roughness, p.erosion, p.scale);
 
   const glm::dvec2 along = turned(view.wind_to, p.direction_offset_deg);
-  data.wind = pack(along.x, along.y, p.shear * std::min(view.wind_speed / 8.0, 2.0), 0.0);
+  data.wind = pack(along.x, along.y, cloud_shear(view), 0.0);
   const bool box = p.container == static_cast<int>(CloudContainer::kBox);
   data.box = pack(box ? -view.eye.x : 0.0, box ? -view.eye.z : 0.0,
                   box ? 500.0 * p.box_size : kHuge, 1e-3 / p.edge_fade);
@@ -76,11 +77,7 @@ shared::CloudData cloud_data(const CloudView& view, const SkyLight& light) {
   data.march =
       pack(p.step_scale, p.phase == static_cast<int>(CloudPhase::kDroplets) ? p.droplets_um : 0.0,
            0.0, 0.0);
-  const double over_bases =
-      600.0 * p.scale + view.flash.height * std::max(tallest - 600.0, 0.0) * p.scale;
-  const glm::dvec2 flash =
-      view.flash.away + along * (static_cast<double>(data.wind.z) * over_bases);
-  data.flash = pack(flash.x, base + over_bases - view.eye.y, flash.y, view.flash.candela);
+  data.flash = pack(flash_place(view), view.flash.candela);
   return data;
 }
 

@@ -52,6 +52,10 @@ glm::dvec2 cloud_velocity(const CloudView& view, double height) {
   return cloud_carried(unit, height);
 }
 
+double cloud_shear(const CloudView& view) {
+  return view.parameters.shear * std::min(view.wind_speed / 8.0, 2.0);
+}
+
 double cloud_base(const CloudView& view) {
   // Stratus lies lower, and rain brings bases down.
   return view.parameters.base * glsl::cloud_blend(0.55, 1.0, 1.0, view.weather.type) *

@@ -35,6 +35,9 @@ struct CloudView {
 glm::dvec2 cloud_carried(const CloudView& view, double height);
 glm::dvec2 cloud_velocity(const CloudView& view, double height);
 
+/// How far the wind draws cloud along its way for each metre over the bases.
+double cloud_shear(const CloudView& view);
+
 /// Height of the bases in the mean, m over the sea.
 double cloud_base(const CloudView& view);
 /// Coordinates of the view's eye in the weather map, in periods.

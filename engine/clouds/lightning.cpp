@@ -2,9 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
 
+#include "engine/clouds/weather_map.h"
 #include "engine/clouds/weather_noise.h"
 #include "engine/core/random.h"
+
+#define OFFING_GLSL "shaders/lib/phase.glsl"
+#include "engine/core/glsl_double.h"
+#define OFFING_GLSL "shaders/lib/cloud_scattering.glsl"
+#include "engine/core/glsl_double.h"
 
 namespace offing {
 namespace {
@@ -16,9 +24,11 @@ constexpr double kWindow = 10.0;  // s that are drawn at once
 /// E. P. Krider, "The Optical and Radiation Field Signatures Produced by Lightning Return Strokes",
 /// JGR 87, 1982; first strokes several times that), near to 100 lm/W: 4e8 lm s over 4 pi and the
 /// time it takes to fade here.
-constexpr double kStroke = 1.0e9;  // cd, the first
-constexpr double kFade = 0.035;    // s
-constexpr double kBetween = 0.06;  // s between strokes, in the mean (Rakov & Uman 2003)
+constexpr double kStroke = 1.0e9;      // cd, the first
+constexpr double kFade = 0.035;        // s
+constexpr double kGlow = 1000.0;       // m about the channel that glow most
+constexpr double kHazeDepth = 1200.0;  // m, of the low air that holds most of the haze
+constexpr double kBetween = 0.06;      // s between strokes, in the mean (Rakov & Uman 2003)
 
 /// Number of a Poisson process of this mean that an even number (0 to 1) stands for.
 int poisson(double mean, double share) {
@@ -76,15 +86,46 @@ std::vector<Flash> flashes(const RainCells& rain, const CloudView& view, double 
 
 FlashView flash_now(const RainCells& rain, const CloudView& view) {
   FlashView brightest;
+  double most = 0.0;  // candela over distance squared
+  const double period = kWeatherPeriod * view.parameters.scale;
   for (const Flash& flash :
        flashes(rain, view, view.elapsed - Flash::kLongest, view.elapsed + 1e-9)) {
     const double candela = flash.candela(view.elapsed);
-    if (candela <= brightest.candela) continue;
-    const double period = kWeatherPeriod * view.parameters.scale;
-    const glm::dvec2 away = flash.at - weather_place(view);
-    brightest = {period * (away - glm::round(away)), flash.height, candela};
+    glm::dvec2 away = flash.at - weather_place(view);
+    away = period * (away - glm::round(away));
+    const double light = candela / (glm::dot(away, away) + kGlow * kGlow);
+    if (light <= most) continue;
+    most = light;
+    brightest = {away, flash.height, candela};
   }
   return brightest;
+}
+
+glm::dvec3 flash_place(const CloudView& view) {
+  const CloudParameters& p = view.parameters;
+  const double over_bases =
+      p.scale * (600.0 + view.flash.height * std::max(tallest_cloud(view.weather) - 600.0, 0.0));
+  const glm::dvec2 place = view.flash.away + turned(view.wind_to, p.direction_offset_deg) *
+                                                 (cloud_shear(view) * over_bases);
+  return {place.x, cloud_base(view) + over_bases - view.eye.y, place.y};
+}
+
+FlashLight flash_light(const CloudView& view, const glm::dvec3& extinction) {
+  FlashLight light;
+  if (view.flash.candela <= 0.0) return light;
+  const glm::dvec3 place = flash_place(view);
+  const double distance = std::max(glm::length(place), kGlow);
+  light.direction = glm::normalize(place);
+  light.spread = 1.0 - distance / std::hypot(distance, kGlow);
+  // The way through the low air, which thins out upward.
+  const double high = std::max(std::abs(place.y), 1.0) / kHazeDepth;
+  const glm::dvec3 air = glm::exp(-extinction * distance * (1.0 - std::exp(-high)) / high);
+  // A cloud by itself shines to all sides; of a closed layer the lower face, which is seen at a
+  // slant.
+  const double slant = 2.0 * std::abs(light.direction.y);
+  const double share = glm::mix(1.0, slant, view.weather.cover);
+  light.illuminance = glsl::kFlashColour * air * share * view.flash.candela / (distance * distance);
+  return light;
 }
 
 }  // namespace offing

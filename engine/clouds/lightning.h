@@ -1,4 +1,6 @@
 #pragma once
+#include <glm/vec3.hpp>
+
 #include <vector>
 
 #include "engine/clouds/rain_cells.h"
@@ -24,7 +26,21 @@ struct Flash {
 /// stands there. None without a rate, and nothing is worked out then.
 std::vector<Flash> flashes(const RainCells& rain, const CloudView& view, double from, double until);
 
-/// The brightest flash of the view's moment.
+/// The flash that sends the most light here at the view's moment; other clouds show no other.
 FlashView flash_now(const RainCells& rain, const CloudView& view);
+
+/// Where the view's flash is, relative to the eye (m), the wind having drawn the cloud's top along.
+glm::dvec3 flash_place(const CloudView& view);
+
+/// A flash as it lights what is outside its cloud.
+struct FlashLight {
+  glm::dvec3 direction{0.0, 1.0, 0.0};  ///< toward it, unit
+  double spread = 0.0;  ///< 1 - cosine of half the angle over which its cloud glows; 0: none
+  glm::dvec3 illuminance{0.0};  ///< lux at the eye on a surface facing it
+};
+
+/// The light of the view's flash at the eye, through air of this extinction at sea level (1/m). A
+/// cloud takes none of it: it comes as from the channel alone, but from all of the cloud about it.
+FlashLight flash_light(const CloudView& view, const glm::dvec3& extinction);
 
 }  // namespace offing

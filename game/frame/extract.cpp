@@ -152,6 +152,9 @@ FrameView Extractor::extract(const World& world, glm::ivec2 size, double dt, int
   frame.wind = {wind.x, environment.wind.gusts, wind.y, environment.wind.speed};
   frame.time = {std::fmod(view.sea_time, 4096.0), dt, 1.0, number};
   view.light.fill(frame);
+  const FlashLight flash = flash_light(view.clouds, view.light.extinction);
+  frame.flash_direction = glm::vec4(glm::dvec4(flash.direction, flash.spread));
+  frame.flash_illuminance = glm::vec4(glm::dvec4(flash.illuminance, 0.0));
 
   view.sea_visible = sea_in_view(frame.relative_from_clip, pose.position.y);
   view.sky_visible = sky_in_view(frame.relative_from_clip, pose.position.y);

@@ -104,13 +104,6 @@ float depth_beyond(CloudPlace from, float inside, vec3 p) {
   return clouds.layer.z * from.kind.extinction * rest;
 }
 
-// Lightning inside the cloud. Its air glows in the blue of nitrogen's lines.
-vec3 cloud_flash(CloudPlace place, vec3 p, float g) {
-  float extinction = clouds.layer.z * place.kind.extinction * clamp(place.inside, 0.1, 1.0);
-  float across = max(place.kind.thickness * clouds.form.w, 2500.0);
-  return vec3(0.85, 0.95, 1.35) * clouds.flash.w * cloud_glow(distance(p, clouds.flash.xyz), extinction, across, g);
-}
-
 // Light leaving a place toward the eye, per unit of optical depth: that of a slab as thick as the cloud is
 // along the light's way (lib/cloud_scattering.glsl), less what leaks out across it.
 vec3 cloud_leaving(CloudRay ray, CloudPlace place, vec3 p, float to_light, float beyond) {
@@ -143,7 +136,9 @@ vec3 cloud_leaving(CloudRay ray, CloudPlace place, vec3 p, float to_light, float
   // Near an edge the sky shows from the side as well.
   ambient = mix(0.5 * (ray.from_above + ray.from_below), ambient, clamp(0.4 + 1.5 * place.inside, 0.0, 1.0));
   vec3 leaving = light * max(sunlit, clouds.light.z * 0.25 / kPhasePi) + ambient;
-  for (int i = 0; i < int(clouds.flash.w > 0.0); ++i) leaving += cloud_flash(place, p, ray.g);
+  for (int i = 0; i < int(clouds.flash.w > 0.0); ++i) {
+    leaving += kFlashColour * clouds.flash.w * cloud_glow(distance(p, clouds.flash.xyz));
+  }
   return leaving * clouds.light.w;
 }
 

@@ -46,6 +46,8 @@ RainVeil rain_veil(vec3 direction, CloudSpan span, float jitter) {
   vec3 above = through * (frame.sky_illuminance.rgb + lux * max(clouds.light_direction.y, 0.0)) / kPhasePi;
   vec3 beside = frame.sky_illuminance.rgb / kPhasePi;
   vec3 light = 0.5 * above + 0.25 * beside;
+  // Lightning stands among it or behind it: an even share of what comes.
+  light += 0.25 / kPhasePi * frame.flash_illuminance.rgb;
   AirLight air = cloud_air(direction, along, cloud_altitude(p));
   veil.light = opaque * (light * air.transmittance + air.inscattered);
   return veil;

@@ -105,15 +105,16 @@ vec3 cloud_ambient(float above, float total, vec3 top, vec3 bottom, float mu, fl
   return mix(top, bottom, clamp(share, 0.0, 1.0));
 }
 
-// J per candela of a point of light inside a cloud of this extinction (1/m), from which it is `distance`
-// (m) away: straight from it, and spread out by diffusion, whose light falls off with the distance alone
-// and leaks out of a cloud that is `across` (m) wide as above. Nothing is nearer than a channel's reach.
-float cloud_glow(float distance, float extinction, float across, float g) {
-  const float kNearest = 120.0;
-  float r = sqrt(distance * distance + kNearest * kNearest);
-  float turned_depth = 3.0 * (1.0 - g) * extinction * r;
-  float spread = (exp(-extinction * (1.0 - g) * r) + turned_depth) / (r * r);
-  return 0.25 / kPhasePi * spread * exp(-kPhasePi * r / across);
+// Lightning's air glows in the blue of nitrogen's lines.
+const vec3 kFlashColour = vec3(0.85, 0.95, 1.35);
+
+// J per candela of a point of light inside a cloud, at a `distance` (m) from it. A cloud takes none of its
+// light and is much deeper than it is seen into: what arrives at its surface, 1 / distance^2 by the
+// cosine, leaves there in all directions; over all of a plane that is half of what the point gives.
+float cloud_glow(float distance) {
+  const float kDepth = 600.0;  // m, of the point beneath the surface
+  float r2 = distance * distance + kDepth * kDepth;
+  return kDepth / (kPhasePi * r2 * sqrt(r2));
 }
 
 // ---- Octaves ----------------------------------------------------------------------------------------

@@ -1,9 +1,10 @@
 // The light that arrives at the boat from all round, as reflections and as irradiance: sky and clouds
-// above, a mean sea below, without the discs of sun and moon. Needs shared/frame.h before it, and of
+// above, a mean sea below, and lightning, without the discs of sun and moon. Needs shared/frame.h before it, and of
 // the C++ side ProbeIds::read_by() and Probe::bind().
 //
 // The probe holds radiance over the sky's illuminance of a level surface, channel by channel: half
 // floats then hold noon and night alike, and a probe some frames old still has today's brightness.
+#include "lib/flash.glsl"
 #include "lib/probe.glsl"
 #include "shared/bindings.h"
 #include "shared/probe.h"
@@ -17,6 +18,13 @@ vec3 probe_read(int level, vec2 units, float below) {
   return textureLod(probe_map, at * probe.texel.xy, 0.0).rgb;
 }
 
+vec3 with_flash(vec3 radiance, vec3 direction, float roughness) {
+  for (int i = 0; i < int(frame.flash_direction.w > 0.0); ++i) {
+    radiance += flash_mirrored(direction, roughness * roughness);
+  }
+  return radiance;
+}
+
 // Mean radiance (cd/m^2) that a surface of this roughness mirrors from `direction` (unit): that of a
 // GGX surface of width alpha = roughness^2 seen along its normal (Karis 2013).
 vec3 probe_radiance(vec3 direction, float roughness) {
@@ -24,15 +32,18 @@ vec3 probe_radiance(vec3 direction, float roughness) {
   float below = direction.y < 0.0 ? 1.0 : 0.0;
   float level = probe_level(min(roughness * roughness, 1.0));
   int first = min(int(level), kProbeLevels - 2);
-  return frame.sky_illuminance.rgb * mix(probe_read(first, units, below),
-                                         probe_read(first + 1, units, below), level - float(first));
+  return with_flash(frame.sky_illuminance.rgb * mix(probe_read(first, units, below),
+                                                    probe_read(first + 1, units, below),
+                                                    level - float(first)),
+                    direction, roughness);
 }
 
 // One of the two levels that make up probe_radiance(), by chance in proportion; `die`: even over 0 … 1.
 vec3 probe_radiance_picked(vec3 direction, float roughness, float die) {
   int level = min(int(probe_level(min(roughness * roughness, 1.0)) + die), kProbeLevels - 1);
-  return frame.sky_illuminance.rgb *
-         probe_read(level, probe_units(direction), direction.y < 0.0 ? 1.0 : 0.0);
+  return with_flash(frame.sky_illuminance.rgb *
+                        probe_read(level, probe_units(direction), direction.y < 0.0 ? 1.0 : 0.0),
+                    direction, roughness);
 }
 
 // Illuminance (lux) of a surface with this normal (unit) from sky, clouds and sea, without the light
@@ -44,5 +55,7 @@ vec3 probe_irradiance(vec3 normal) {
              b.product.x * probe.irradiance[4].rgb + b.product.y * probe.irradiance[5].rgb +
              b.product.z * probe.irradiance[6].rgb + b.zonal * probe.irradiance[7].rgb +
              b.sectoral * probe.irradiance[8].rgb + b.ring * probe.irradiance[9].rgb;
-  return frame.sky_illuminance.rgb * max(sum, vec3(0.0));
+  vec3 lux = frame.sky_illuminance.rgb * max(sum, vec3(0.0));
+  for (int i = 0; i < int(frame.flash_direction.w > 0.0); ++i) lux += flash_illuminance(normal);
+  return lux;
 }

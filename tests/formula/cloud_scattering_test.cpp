@@ -259,5 +259,14 @@ TEST(CloudOctaves, FirstIsSingleScattering) {
               3.0 * henyey_greenstein(0.5, -0.3) * std::exp(-0.4), 1e-12);
 }
 
+TEST(CloudGlow, LeavesAPlaneAsHalfOfWhatThePointGives) {
+  // Exitance pi J over a plane that all but holds the point: of 4 pi candela 2 pi.
+  double sum = 0.0;
+  for (double r = 0.5; r < 3e5; r *= 1.001) {
+    sum += kPi * glsl::cloud_glow(r * std::sqrt(1.001)) * kPi * r * r * (1.001 * 1.001 - 1.0);
+  }
+  EXPECT_NEAR(sum, 2.0 * kPi, 0.01 * 2.0 * kPi);
+}
+
 }  // namespace
 }  // namespace offing

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "engine/clouds/weather_noise.h"
 
@@ -98,6 +99,24 @@ TEST(Lightning, CostsNothingWithoutStormOrRate) {
   rain.update(view);
   EXPECT_TRUE(flashes(rain, view, 0.0, 1000.0).empty());
   EXPECT_EQ(flash_now(rain, view).candela, 0.0);
+}
+
+TEST(Lightning, LightsWhatIsFarAwayByTheSquareOfTheDistance) {
+  CloudView view = storm();
+  view.weather.cover = 0.0;  // by itself
+  EXPECT_EQ(flash_light(view, glm::dvec3(0.0)).spread, 0.0);
+  view.flash = {{12000.0, 5000.0}, 0.2, 1e9};
+  const glm::dvec3 place = flash_place(view);
+  const double distance = glm::length(place);
+  const FlashLight light = flash_light(view, glm::dvec3(0.0));
+  EXPECT_NEAR(glm::dot(light.direction, place), distance, 1e-6 * distance);
+  const double luminance =
+      glm::dot(light.illuminance, glm::dvec3(0.2126, 0.7152, 0.0722)) * distance * distance;
+  EXPECT_NEAR(luminance, 1e9, 0.05e9);
+  // Air takes some, and of the way most in its low part.
+  const FlashLight hazy = flash_light(view, glm::dvec3(1e-4));
+  EXPECT_LT(hazy.illuminance.y, light.illuminance.y);
+  EXPECT_GT(hazy.illuminance.y, light.illuminance.y * std::exp(-1e-4 * distance));
 }
 
 }  // namespace
