@@ -47,7 +47,6 @@ glm::ivec2 pixel_of_turn(glm::ivec2 cell, int turn) {
 
 ShaderDefines march_defines(const CloudQuality& quality) {
   ShaderDefines defines = {{"STEPS", std::to_string(quality.steps)},
-                           {"PIXEL_ANGLE", fmt::format("({}.0 * frame.camera.w)", quality.scale)},
                            {"SKIPS", "24"},
                            {"FINEST", fmt::format("{:.4f}", quality.finest)},
                            {"GROWTH", fmt::format("{:.5f}", quality.growth)},
@@ -86,6 +85,7 @@ glm::vec3 forward_of(const CloudCamera& camera) {
   return glm::normalize(glm::vec3(ahead));
 }
 
+constexpr float kFresh = 0.65f;      // weight of what was marched now over what was there
 constexpr double kShownFlash = 1e6;  // cd: less is not seen by night, either
 
 }  // namespace
@@ -93,16 +93,17 @@ constexpr double kShownFlash = 1e6;  // cd: less is not seen by night, either
 CloudQuality CloudQuality::of(int quality) {
   switch (quality) {
     case 0:
-      return {.scale = 2,
-              .cell = {2, 2},
-              .steps = 48,
+      return {.cell = {8, 4},
+              .cut_cell = {2, 2},
+              .steps = 32,
               .light_steps = 3,
               .finest = 26.0f,
               .growth = 0.013f,
               .reach = 70000.0f,
               .curl = false};
     case 1:
-      return {.cell = {4, 2},
+      return {.cell = {4, 4},
+              .cut_cell = {2, 2},
               .steps = 80,
               .light_steps = 4,
               .finest = 18.0f,
@@ -111,14 +112,14 @@ CloudQuality CloudQuality::of(int quality) {
     case 2:
       return {.cell = {2, 2},
               .steps = 110,
-              .light_steps = 5,
+              .light_steps = 4,
               .finest = 14.0f,
               .growth = 0.006f,
               .reach = 110000.0f};
     default:
       return {.cell = {1, 1},
               .steps = 160,
-              .light_steps = 6,
+              .light_steps = 4,
               .finest = 12.0f,
               .growth = 0.004f,
               .reach = 130000.0f};
@@ -128,7 +129,6 @@ CloudQuality CloudQuality::of(int quality) {
 CloudMarch::CloudMarch(ShaderLibrary& shaders, const CloudQuality& quality)
     : quality_(quality),
       march_program_(shaders.program({"clouds/march.comp"}, march_defines(quality_))),
-      bounds_program_(shaders.program({"clouds/bounds.comp"})),
       resolve_program_(shaders.program({"clouds/resolve.comp"})),
       far_program_(shaders.program({"sky/dome.vert", "clouds/composite.frag"})),
       all_program_(shaders.program({"post/full_screen.vert", "clouds/composite.frag"},
@@ -136,15 +136,15 @@ CloudMarch::CloudMarch(ShaderLibrary& shaders, const CloudQuality& quality)
       linear_("clouds history", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
       no_vertices_("clouds without vertices") {}
 
-void CloudMarch::resize(glm::ivec2 screen) {
-  const glm::ivec2 size = (screen + quality_.scale - 1) / quality_.scale;
+void CloudMarch::resize(glm::ivec2 size) {
   if (pictures_[0] && glm::ivec2(pictures_[0].width(), pictures_[0].height()) == size) return;
-  const glm::ivec2 cells = (size + quality_.cell - 1) / quality_.cell;
-  seen_ = picture("clouds seen", GL_RGBA16F, cells);
-  distance_ = picture("clouds distance", GL_R16F, cells);
-  least_ = picture("clouds least", GL_RGBA16F, cells);
-  most_ = picture("clouds most", GL_RGBA16F, cells);
-  whole_distance_ = picture("clouds distance of all", GL_R16F, size);
+  in_turn_.cell = quality_.cell;
+  anew_.cell = quality_.cut_cell;
+  for (Marched* marched : {&in_turn_, &anew_}) {
+    const glm::ivec2 cells = (size + marched->cell - 1) / marched->cell;
+    marched->seen = picture("clouds seen", GL_RGBA16F, cells);
+    marched->distance = picture("clouds distance", GL_R16F, cells);
+  }
   pictures_[0] = picture("clouds picture a", GL_RGBA16F, size);
   pictures_[1] = picture("clouds picture b", GL_RGBA16F, size);
   // What is never marched, beneath the horizon, holds no cloud.
@@ -152,7 +152,7 @@ void CloudMarch::resize(glm::ivec2 screen) {
   for (const gl::Texture& texture : pictures_)
     glClearTexImage(texture.id(), 0, GL_RGBA, GL_FLOAT, nothing);
   known_ = false;
-  for (PassMemory* memory : {&march_memory_, &bounds_memory_, &resolve_memory_}) memory->reset();
+  for (PassMemory* memory : {&march_memory_, &resolve_memory_}) memory->reset();
 }
 
 TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const CloudIds& ids,
@@ -162,16 +162,23 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
   resize(camera.size);
   const int turns = quality_.cell.x * quality_.cell.y;
   const glm::dvec2 carried = cloud_carried(view, view.parameters.base);
-  const bool cut = !known_ || glm::length(camera.eye - before_.eye) > kCutDistance ||
+  // Somebody has turned a knob.
+  const CloudParameters& p = view.parameters;
+  const std::uint64_t settings = hash_of(
+      view.weather, view.seed, p.scale, p.density_threshold, p.density, p.extinction, p.base,
+      p.container, p.shape_weights, p.detail_weights, p.roughness, p.erosion, p.brightness);
+  const bool cut = !known_ || settings != settings_ ||
+                   glm::length(camera.eye - before_.eye) > kCutDistance ||
                    glm::dot(forward_of(camera), forward_of(before_)) < kCutCosine ||
                    glm::length(carried - carried_before_) > kCutDistance;
+  settings_ = settings;
   // Lightning changes faster than a round of pixels.
   const bool flashing = view.flash.candela > kShownFlash;
-  const bool whole = cut || turns == 1 || flashing || flashing_before_;
+  const bool without_past = cut || turns == 1 || flashing || flashing_before_;
   flashing_before_ = flashing;
-  const int first_row =
-      view.eye.y < field.lowest_base() ? first_sky_row(camera) / quality_.scale : 0;
-  const auto scale = static_cast<float>(quality_.scale);
+  const int anew_turns = quality_.cut_cell.x * quality_.cut_cell.y;
+  anew_turn_ = without_past ? 0 : std::min(anew_turn_ + 1, anew_turns);
+  const bool anew = anew_turn_ < anew_turns;
 
   // While nothing moves two rounds say all there is to say.
   const std::uint64_t shows = hash_of(camera.clip_from_relative, camera.eye, camera.exposure,
@@ -179,104 +186,87 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
   still_frames_ = shows == shown_ && !cut ? std::min(still_frames_ + 1, 2 * turns) : 0;
   shown_ = shows;
   const bool settled = still_frames_ >= 2 * turns;
-  if (!settled && !whole) ++turn_;
-  const glm::ivec2 chosen = pixel_of_turn(quality_.cell, turn_);
-  const float shift = static_cast<float>(std::fmod(0.618033988749895 * (turn_ / turns), 1.0));
+  if (!settled && !anew) ++turn_;
   const int old = newest_;
   if (visible && !settled) newest_ = 1 - newest_;
   const gl::Texture& result = pictures_[newest_];
   const gl::Texture& history = pictures_[settled ? 1 - newest_ : old];
 
   const TextureId result_id = graph.import(result), history_id = graph.import(history);
-  const TextureId seen = graph.import(seen_), distance = graph.import(distance_);
-  const TextureId least = graph.import(least_), most = graph.import(most_);
+  const Marched& marched = anew ? anew_ : in_turn_;
+  const glm::ivec2 cell = marched.cell;
+  const bool direct = cell == glm::ivec2(1);  // nothing is left to fill in
+  const gl::Texture& target = direct ? result : marched.seen;
+  const glm::ivec2 chosen = pixel_of_turn(cell, anew ? anew_turn_ : turn_);
+  const float shift = static_cast<float>(std::fmod(0.618033988749895 * (turn_ / turns), 1.0));
+  const int first_row = view.eye.y < field.lowest_base() ? first_sky_row(camera) / cell.y : 0;
   const int light_steps =
       view.parameters.light_steps > 0 ? view.parameters.light_steps : quality_.light_steps;
-  const glm::ivec2 cell = whole ? glm::ivec2(1) : quality_.cell;
-  const gl::Texture& target = whole ? result : seen_;
-  const gl::Texture& target_distance = whole ? whole_distance_ : distance_;
-  const std::uint64_t key = hash_of(shows, still_frames_, turn_, whole, march_program_.generation(),
-                                    resolve_program_.generation());
+  const std::uint64_t key = hash_of(shows, still_frames_, turn_, anew_turn_,
+                                    march_program_.generation(), resolve_program_.generation());
   graph.add(
       "clouds.march",
       [&](PassBuilder& pass) {
         ids.read_by(pass);
         sky_ids.read_by(pass);
         shadow_ids.read_by(pass);
-        pass.write(graph.import(target)).write(graph.import(target_distance));
+        pass.write(graph.import(target)).write(graph.import(marched.distance));
         pass.cache(march_memory_, key).skip_if(!visible);
       },
-      [this, &field, &sky, &shadow, &target, &target_distance, ids, sky_ids, shadow_ids, cell,
-       chosen = whole ? glm::ivec2(0) : chosen, shift, light_steps, scale,
-       first_row](const PassContext& context) {
+      [this, &field, &sky, &shadow, &target, &marched, ids, sky_ids, shadow_ids, chosen, shift,
+       light_steps, first_row](const PassContext& context) {
         sky.bind(context, sky_ids);
         field.bind(context, ids);
         shadow.bind(context, shadow_ids);
         march_program_.use();
         const gl::Program& program = march_program_.program();
-        program.set(0, cell);
+        program.set(0, marched.cell);
         program.set(1, chosen);
         program.set(2, shift);
         program.set(3, light_steps);
-        const int first = first_row / cell.y;
-        program.set(4, first);
-        program.set(5, scale);
+        program.set(4, first_row);
         target.bind_image(0, GL_WRITE_ONLY);
-        target_distance.bind_image(1, GL_WRITE_ONLY);
-        glDispatchCompute(groups(target.width()), groups(target.height() - first), 1);
+        marched.distance.bind_image(1, GL_WRITE_ONLY);
+        glDispatchCompute(groups(target.width()), groups(target.height() - first_row), 1);
       });
-  if (!whole) {
-    graph.add(
-        "clouds.bounds",
-        [&](PassBuilder& pass) {
-          pass.read(seen).write(least).write(most);
-          pass.cache(bounds_memory_, bounds_program_.generation()).skip_if(!visible);
-        },
-        [this, first = first_row / cell.y](PassContext&) {
-          bounds_program_.use();
-          bounds_program_.program().set(0, first);
-          seen_.bind(0);
-          least_.bind_image(0, GL_WRITE_ONLY);
-          most_.bind_image(1, GL_WRITE_ONLY);
-          glDispatchCompute(groups(least_.width()), groups(least_.height() - first), 1);
-        });
+  if (!direct) {
     const glm::dvec2 wind = carried - carried_before_;
     const glm::dvec3 moved = camera.eye - before_.eye - glm::dvec3(wind.x, 0.0, wind.y);
     const glm::mat4 clip_before = before_.clip_from_relative;
     graph.add(
         "clouds.resolve",
         [&](PassBuilder& pass) {
-          pass.read(seen).read(distance).read(least).read(most).read(history_id).write(result_id);
+          pass.read(graph.import(marched.seen)).read(graph.import(marched.distance));
+          pass.read(history_id).write(result_id);
           pass.cache(resolve_memory_, key).skip_if(!visible);
         },
-        [this, &result, &history, chosen, moved, clip_before, scale, first_row,
+        [this, &result, &history, &marched, chosen, moved, clip_before, first_row, without_past,
          first_row_before = first_row_before_](PassContext&) {
           resolve_program_.use();
           const gl::Program& program = resolve_program_.program();
-          program.set(0, quality_.cell);
+          program.set(0, marched.cell);
           program.set(1, chosen);
           program.set(2, glm::vec3(moved));
           program.set(3, clip_before);
-          program.set(7, 0.65f);
+          program.set(7, kFresh);
           program.set(8, first_row);
           program.set(9, first_row_before);
-          program.set(10, scale);
-          seen_.bind(0);
-          distance_.bind(1);
-          least_.bind(2);
-          most_.bind(3);
-          history.bind(4);
-          linear_.bind(4);
-          seen_.bind(5);
-          linear_.bind(5);
+          program.set(10, without_past ? 0 : 1);
+          marched.seen.bind(0);
+          marched.distance.bind(1);
+          history.bind(2);
+          linear_.bind(2);
+          marched.seen.bind(3);
+          linear_.bind(3);
           result.bind_image(0, GL_WRITE_ONLY);
-          glDispatchCompute(groups(result.width()), groups(result.height() - first_row), 1);
-          glBindSampler(4, 0);
-          glBindSampler(5, 0);
+          const gl::Texture& seen = marched.seen;
+          glDispatchCompute(groups(seen.width()), groups(seen.height() - first_row), 1);
+          glBindSampler(2, 0);
+          glBindSampler(3, 0);
         });
   }
   before_ = camera;
-  first_row_before_ = first_row;
+  first_row_before_ = first_row * cell.y;
   carried_before_ = carried;
   known_ = visible;
   return result_id;
@@ -304,10 +294,8 @@ void CloudMarch::add_composite(FrameGraph& graph, const CloudField& field, const
         field.bind(context, ids);
         const gl::Texture& picture = context.texture(seen);
         picture.bind(0);
-        if (quality_.scale > 1) linear_.bind(0);
-        const glm::vec2 units =
-            1.0f / static_cast<float>(quality_.scale) /
-            glm::vec2(static_cast<float>(picture.width()), static_cast<float>(picture.height()));
+        const glm::vec2 units = 1.0f / glm::vec2(static_cast<float>(picture.width()),
+                                                 static_cast<float>(picture.height()));
         no_vertices_.bind();
         const LayOver over(from_below ? LayOver::Depth::kCounts : LayOver::Depth::kIgnored);
         if (from_below) {

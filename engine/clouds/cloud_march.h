@@ -11,9 +11,9 @@ namespace offing {
 
 /// What a picture of clouds costs.
 struct CloudQuality {
-  int scale = 1;          ///< a pixel of the clouds' picture is so many of the screen's wide
-  glm::ivec2 cell{4, 4};  ///< one pixel of such a cell is marched in a frame
-  int steps = 40;         ///< most of a ray, in and near cloud
+  glm::ivec2 cell{4, 4};      ///< one pixel of such a cell is marched in a frame
+  glm::ivec2 cut_cell{1, 1};  ///< and until each was once after a cut, or by lightning: one of such
+  int steps = 40;             ///< most of a ray, in and near cloud
   int light_steps = 3;
   float finest = 45.0f;    ///< shortest step, m
   float growth = 0.011f;   ///< step over distance
@@ -41,9 +41,9 @@ class CloudMarch {
  public:
   CloudMarch(ShaderLibrary& shaders, const CloudQuality& quality);
 
-  /// Adds clouds.march, clouds.bounds and clouds.resolve; returns radiance × exposure and
-  /// transmittance (RGBA16F) at the size of the picture over CloudQuality::scale. After a cut, and
-  /// in the first frame, every pixel is marched. Nothing runs where not `visible`.
+  /// Adds clouds.march and clouds.resolve; returns radiance × exposure and transmittance (RGBA16F)
+  /// at the size of the picture. After a cut, and in the first frame, all of it is made anew.
+  /// Nothing runs where not `visible`.
   TextureId add(FrameGraph& graph, const CloudField& field, const CloudIds& ids, const Sky& sky,
                 const SkyIds& sky_ids, const CloudShadow& shadow, const CloudShadowIds& shadow_ids,
                 const CloudView& view, const CloudCamera& camera, bool visible);
@@ -53,33 +53,39 @@ class CloudMarch {
                      TextureId depth, bool visible, bool from_below);
 
   const CloudQuality& quality() const { return quality_; }
-  /// Where the light of each pixel comes from (m), of the last frame that marched every pixel.
-  const gl::Texture& distances() const { return whole_distance_; }
-  int scale() const { return quality_.scale; }
+  /// Where the light of each pixel comes from (m), of the last frame after a cut: one texel for
+  /// each CloudQuality::cut_cell.
+  const gl::Texture& distances() const { return anew_.distance; }
 
  private:
+  /// What was marched of each cell.
+  struct Marched {
+    glm::ivec2 cell{1};
+    gl::Texture seen, distance;
+  };
+
   void resize(glm::ivec2 size);
 
   CloudQuality quality_;
   const ShaderProgram& march_program_;
-  const ShaderProgram& bounds_program_;
   const ShaderProgram& resolve_program_;
   const ShaderProgram& far_program_;
   const ShaderProgram& all_program_;
   gl::Sampler linear_;
   gl::VertexArray no_vertices_;
-  gl::Texture seen_, distance_, least_, most_, whole_distance_;
+  Marched in_turn_, anew_;
   gl::Texture pictures_[2];
   int newest_ = 0;
   int turn_ = 0;          ///< which pixel of each cell comes next
+  int anew_turn_ = 0;     ///< the same after a cut, of cut_cell; its number of pixels: done
   int still_frames_ = 0;  ///< since anything has changed
   bool known_ = false;
   bool flashing_before_ = false;
-  std::uint64_t shown_ = 0;
+  std::uint64_t shown_ = 0, settings_ = 0;
   CloudCamera before_;
   int first_row_before_ = 0;
   glm::dvec2 carried_before_{0.0};
-  PassMemory march_memory_, bounds_memory_, resolve_memory_;
+  PassMemory march_memory_, resolve_memory_;
 };
 
 }  // namespace offing

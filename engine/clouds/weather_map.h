@@ -19,7 +19,7 @@ double tallest_cloud(const Clouds& weather);
 class WeatherMap {
  public:
   static constexpr double kPeriod = kWeatherPeriod;  ///< m
-  static constexpr int kTexels = 256, kCells = 64;
+  static constexpr int kTexels = 256, kCells = 128;
 
   explicit WeatherMap(ShaderLibrary& shaders);
 

@@ -71,31 +71,19 @@ double CloudRun::march(const FrameView& view) {
 }
 
 CloudSightings CloudRun::marched(const FrameView& view) const {
-  // As the composite does it: between the pixels of a smaller picture.
   const std::vector<float> values = seen_->read_floats(4);
   const std::vector<float> distances = march_.distances().read_floats(1);
-  const glm::ivec2 size(seen_->width(), seen_->height());
   const auto exposure = static_cast<float>(view.light.exposure);
+  const glm::ivec2 cell = march_.quality().cut_cell;
   CloudSightings clouds{view.size, {}, {}};
   for (int y = 0; y < view.size.y; ++y) {
     for (int x = 0; x < view.size.x; ++x) {
-      const glm::vec2 at = (glm::vec2(x, y) + 0.5f) / static_cast<float>(march_.scale()) - 0.5f;
-      const glm::vec2 cell = glm::floor(at), part = at - cell;
-      glm::vec4 light(0.0f);
-      for (int corner = 0; corner < 4; ++corner) {
-        const glm::ivec2 step(corner & 1, corner >> 1);
-        const glm::ivec2 texel =
-            glm::clamp(glm::ivec2(cell) + step, glm::ivec2(0), size - glm::ivec2(1));
-        const float weight =
-            (step.x == 1 ? part.x : 1.0f - part.x) * (step.y == 1 ? part.y : 1.0f - part.y);
-        const auto i = 4 * static_cast<std::size_t>(texel.y * size.x + texel.x);
-        light += weight * glm::vec4(values[i], values[i + 1], values[i + 2], values[i + 3]);
-      }
-      const glm::ivec2 nearest = glm::ivec2(x, y) / march_.scale();
+      const auto i = 4 * static_cast<std::size_t>(y * view.size.x + x);
+      const glm::vec4 light(values[i], values[i + 1], values[i + 2], values[i + 3]);
       clouds.light.emplace_back(glm::vec3(light) / exposure, light.w);
-      clouds.distance.push_back(
-          light.w < 1.0f ? distances[static_cast<std::size_t>(nearest.y * size.x + nearest.x)]
-                         : 0.0f);
+      const auto nearest =
+          static_cast<std::size_t>(y / cell.y * march_.distances().width() + x / cell.x);
+      clouds.distance.push_back(light.w < 1.0f ? distances[nearest] : 0.0f);
     }
   }
   return clouds;

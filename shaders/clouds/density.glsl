@@ -83,7 +83,7 @@ float cloud_most_inside(CloudPlace place) { return place.inside + 0.5 * place.fr
 // How far a ray can go on from a place without meeting any cloud, because the coarse cell of the weather
 // that it crosses holds none, or none so high on a way up: to the cell's end, or 0.
 float cloud_clear_way(vec3 p, vec3 direction) {
-  const float kCells = 64.0;  // WeatherMap::kCells
+  const float kCells = 128.0;  // WeatherMap::kCells
   float altitude = cloud_altitude(p);
   vec2 at = cloud_weather_at(cloud_unsheared(p, altitude)) * kCells;
   float most = textureLod(cloud_most, at * (1.0 / kCells), 0.0).r;

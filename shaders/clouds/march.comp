@@ -10,7 +10,6 @@ layout(location = 1) uniform ivec2 chosen;  // of the cell
 layout(location = 2) uniform float shift;   // 0 … 1, another one every round
 layout(location = 3) uniform int light_steps;
 layout(location = 4) uniform int first_row;  // below it there is only sea
-layout(location = 5) uniform float scale;    // of the picture's pixels over the screen's
 
 // Interleaved gradient noise (Jimenez 2014): any few neighbours are spread evenly.
 float spread_noise(vec2 pixel) {
@@ -21,7 +20,7 @@ void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, first_row);
   if (any(greaterThanEqual(texel, imageSize(seen)))) return;
   vec2 pixel = vec2(texel * cell + chosen) + 0.5;
-  vec4 near = frame.relative_from_clip * vec4(2.0 * scale * pixel * frame.viewport.zw - 1.0, 1.0, 1.0);
+  vec4 near = frame.relative_from_clip * vec4(2.0 * pixel * frame.viewport.zw - 1.0, 1.0, 1.0);
   vec3 direction = normalize(near.xyz / near.w);
   CloudSight sight = cloud_sight(direction, fract(spread_noise(pixel) + shift), light_steps);
   imageStore(seen, texel, vec4(min(sight.radiance * frame.time.z, vec3(30000.0)), sight.transmittance));

@@ -72,18 +72,21 @@ CloudRay cloud_ray(vec3 direction, float near) {
   return ray;
 }
 
-// Optical depth from a place toward the light: some steps that double, and the shadow map beyond.
-float depth_to_light(CloudPlace from, vec3 p, float footprint, int steps) {
+// Optical depth from a place, where the signed field is `inside`, toward the light: some steps that double, each
+// with the mean between its ends as along the ray, and the shadow map beyond.
+float depth_to_light(CloudPlace from, float inside, vec3 p, float footprint, int steps) {
   vec3 toward = clouds.light_direction.xyz;
-  float step_length = 30.0 * clouds.form.w;
+  float step_length = 60.0 * clouds.form.w;
   float along = 0.0;
   float depth = 0.0;
   for (int i = 0; i < steps; ++i) {
-    vec3 q = p + toward * (along + 0.6 * step_length);
-    CloudPlace place = cloud_place_beside(from, q);
-    float inside = cloud_body(place, q, max(footprint, 0.5 * step_length)) - 0.5 * kCloudErosion * clouds.form.z;
-    depth += step_length * cloud_extinction_from(place, inside);
     along += step_length;
+    vec3 q = p + toward * along;
+    CloudPlace place = cloud_place_beside(from, q);
+    float there = cloud_body(place, q, max(footprint, 0.5 * step_length)) - 0.5 * kCloudErosion * clouds.form.z;
+    depth += step_length * clouds.layer.z * place.kind.extinction * cloud_filling(place.x) *
+             cloud_mean_ramp(inside, there, kCloudEdgeWidth);
+    inside = there;
     step_length *= 2.0;
   }
   for (int i = 0; i < min(steps, SHADOW_MAP); ++i) depth += cloud_shadow_depth(p + toward * along);
@@ -179,7 +182,7 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
     // Lit only where it shows; what hardly does has the light of the place before.
     bool shows = share > kShows || (share > 0.0 && weight == 0.0);
     for (int i = 0; i < int(shows); ++i) {
-      float to_light = depth_to_light(place, p, footprint, light_steps);
+      float to_light = depth_to_light(place, inside, p, footprint, light_steps);
       source = cloud_leaving(ray, place, p, to_light, depth_beyond(place, inside, p));
     }
     sight.radiance += share * source;

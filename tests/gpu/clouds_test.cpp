@@ -103,7 +103,7 @@ TEST_F(CloudsTest, AClearSkyCostsNothing) {
 }
 
 TEST_F(CloudsTest, AStandingClockIsNotMarchedAgain) {
-  constexpr int kRounds = 2 * 16;  // of the cells of quality low
+  constexpr int kRounds = 2 * 32;  // of the cells of quality low
   for (int frame = 0; frame < kRounds + 6; ++frame) draw(90.0, 20.0);
   EXPECT_LE(row("clouds.march").ran, kRounds + 1);
   EXPECT_GE(row("clouds.march").cached, 4);
@@ -134,7 +134,8 @@ TEST_F(CloudsTest, HasRecoveredFromACutWithinEightFrames) {
   std::vector<float> recovered;
   for (int frame = 0; frame < 8; ++frame) recovered = draw(190.0, 20.0);
   clouds_ = std::make_unique<Cloudscape>(*shaders_, 0);
-  const std::vector<float> whole = draw(190.0, 20.0);
+  std::vector<float> whole;
+  for (int frame = 0; frame < 64; ++frame) whole = draw(190.0, 20.0);
   EXPECT_GT(mean(whole), 0.01);
   EXPECT_LT(difference(recovered, whole), 0.08 * mean(whole));
 }
@@ -148,7 +149,8 @@ TEST_F(CloudsTest, AChangeIsSeenWhileTheClockStands) {
     std::vector<float> after;
     for (int frame = 0; frame < 16; ++frame) after = draw(90.0, 20.0);
     clouds_ = std::make_unique<Cloudscape>(*shaders_, 0);
-    const std::vector<float> fresh = draw(90.0, 20.0);
+    std::vector<float> fresh;
+    for (int frame = 0; frame < 64; ++frame) fresh = draw(90.0, 20.0);
     EXPECT_GT(difference(before, fresh), 0.02 * mean(fresh)) << packed;
     EXPECT_LT(difference(after, fresh), 0.1 * mean(fresh)) << packed;
   }
@@ -213,8 +215,7 @@ TEST_F(CloudsTest, DoNotFlicker) {
   RecordProperty("worst", std::to_string(worst));
   RecordProperty("mean", std::to_string(all / counted));
   EXPECT_GT(all, 0.0);
-  EXPECT_LT(all / counted, 1.0);
-  EXPECT_LT(worst, 1.5);  // one frame in the two seconds goes to 1.07
+  EXPECT_LT(worst, 1.0);
 }
 
 TEST_F(CloudsTest, EverywhereAndInEveryLightIsFinite) {
@@ -247,7 +248,8 @@ TEST_F(CloudsTest, ASunExactlyAlongAnAxisIsNoSpecialCase) {
       sun_.sun.azimuth_deg = azimuth + 0.01 * beside;
       sun_.sun.elevation_deg = sun_.sun.elevation_airless_deg = elevation - 0.01 * beside;
       clouds_ = std::make_unique<Cloudscape>(*shaders_, 0);
-      pictures[beside] = draw(azimuth, std::min(elevation, 60.0) + 5.0);
+      for (int frame = 0; frame < 5; ++frame)
+        pictures[beside] = draw(azimuth, std::min(elevation, 60.0) + 5.0);
     }
     EXPECT_GT(mean(pictures[0]), 0.0) << azimuth << " " << elevation;
     EXPECT_LT(difference(pictures[0], pictures[1]), 0.02 * mean(pictures[0]))
