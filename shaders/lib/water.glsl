@@ -101,8 +101,9 @@ float visible_share(float level, float width) {
 }
 
 // Share of scattered light that sea water turns into a direction, 1/sr, by the cosine of the angle that it
-// is turned by: a fit to Petzold's mean of particles (Mobley 1994, table 3.10) from 10 to 90 degrees.
-float sea_water_phase(float cosine) { return 0.0031 * pow(1.012 - cosine, -1.6); }
+// is turned by: a fit, from 10 to 90 degrees, to Petzold's mean of measured particles as Mobley et al.
+// tabulate it ("Comparison of numerical models for computing underwater light fields", Appl. Opt. 32, 1993).
+float sea_water_phase(float cosine) { return 0.00463 * pow(1.0151 - cosine, -1.559); }
 
 // Probability density of a slope, normal with the covariance xx, zz, xz (Cox & Munk 1954 without
 // their skewness).

@@ -153,12 +153,25 @@ TEST(Underwater, AWaveIsALens) {
   EXPECT_NEAR((x + p.way.x * focus) / x, 0.0, 1e-3);
 }
 
-// Petzold's mean of measured particles at 20 to 90 degrees, in a round form of Mobley's table.
+// Share of the light that Petzold's mean of measured particles turns by less than an angle (Mobley
+// et al., Appl. Opt. 32, 1993).
 TEST(Underwater, ScatteringIsThatOfSeaWater) {
-  constexpr double kMeasured[][2] = {
-      {20.0, 0.22}, {30.0, 0.072}, {40.0, 0.0315}, {60.0, 0.0094}, {90.0, 0.00305}};
-  for (const auto& [angle, share] : kMeasured) {
-    EXPECT_NEAR(glsl::sea_water_phase(std::cos(radians(angle))) / share, 1.0, 0.1) << angle;
+  struct Within {
+    double degrees, share;
+  };
+  constexpr Within kMeasured[] = {{10, 0.66557}, {15, 0.75499}, {20, 0.81252}, {25, 0.85241},
+                                  {30, 0.88120}, {40, 0.91900}, {50, 0.94304}, {60, 0.95853},
+                                  {75, 0.97304}, {90, 0.98191}};
+  for (std::size_t i = 0; i + 1 < std::size(kMeasured); ++i) {
+    const double from = radians(kMeasured[i].degrees), to = radians(kMeasured[i + 1].degrees);
+    constexpr int kSteps = 400;
+    double sum = 0.0;
+    for (int step = 0; step < kSteps; ++step) {
+      const double angle = from + (to - from) * (step + 0.5) / kSteps;
+      sum += glsl::sea_water_phase(std::cos(angle)) * kTau * std::sin(angle) * (to - from) / kSteps;
+    }
+    EXPECT_NEAR(sum / (kMeasured[i + 1].share - kMeasured[i].share), 1.0, 0.06)
+        << kMeasured[i].degrees;
   }
 }
 
