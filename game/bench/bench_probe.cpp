@@ -24,9 +24,9 @@ namespace {
 constexpr int kQueries = 256, kBruteForce = 4096, kTimed = 3;
 
 struct Measure {
-  double whole_ms = 0.0;          ///< one whole refresh
-  double cpu_ms = 0.0;            ///< of the thread that draws, in a frame with a slice: median
-  double largest_slice_ms = 0.0;  ///< the dearest frame of a refresh in slices
+  double whole_ms = 0.0;                ///< one whole refresh
+  double cpu_ms = 0.0;                  ///< of the thread that draws, for a slice: median
+  double largest_slice_ms = 0.0;        ///< the dearest frame of a refresh in slices
   std::vector<double> error_of_levels;  ///< by roughness 0, 0.1 … 1
   double irradiance_error = 0.0;
 };
@@ -91,41 +91,60 @@ class Stage {
   /// What a frame with a slice takes while the sun turns about the zenith, so that the probe is
   /// refreshed slice by slice and the sky's tables stand. `cpu_ms` is the time of the thread that
   /// draws, in the median frame: to declare the passes, to run the graph, and what the driver does
-  /// in its calls. Mesa's software renderer draws on other threads, and their time is not in this.
+  /// in its calls; less what the same frame takes while the sun stands. Mesa's software renderer
+  /// draws on other threads, and their time is not in this.
   void measure_slices(int size, double elevation_deg, Measure& measure) {
     Probe probe(shaders_, {.size = size});
     const int slices = probe.settings().slices;
-    std::vector<double> times;
+    std::vector<double> turning, standing;
     std::vector<double> whole(static_cast<std::size_t>(slices), 1e9);
     for (int frame = 0; frame < kTimed * slices + 1; ++frame) {
       set_sun(elevation_deg, 240.0 + 0.02 * frame);
-      glFinish();
-      const double start = processor_now_ms(), began = now_ms();
-      graph_.begin_frame();
-      const SkyIds sky = sky_.add_tables(graph_, light_);
-      const ProbeIds ids = probe.add(graph_, light_, 8.0, sky_, sky);
-      graph_.add(
-          "use",
-          [&](PassBuilder& pass) {
-            ids.read_by(pass);
-            pass.side_effect();
-          },
-          [](const PassContext&) {});
-      graph_.execute();
-      const double spent = processor_now_ms() - start;
-      glFinish();
+      const Spent spent = use(probe);
       if (frame == 0) continue;  // made whole
-      times.push_back(spent);
+      turning.push_back(spent.cpu_ms);
       double& least = whole[static_cast<std::size_t>((frame - 1) % slices)];
-      least = std::min(least, now_ms() - began);
+      least = std::min(least, spent.ms);
     }
-    std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2),
-                     times.end());
-    measure.cpu_ms = times[times.size() / 2];
+    for (int frame = 0; frame < 3 * slices; ++frame) {
+      const Spent spent = use(probe);
+      if (frame >= 2 * slices) standing.push_back(spent.cpu_ms);  // nothing is under way any more
+    }
+    measure.cpu_ms = median(turning) - median(standing);
     measure.largest_slice_ms = *std::max_element(whole.begin(), whole.end());
   }
 
  private:
+  struct Spent {
+    double cpu_ms = 0.0, ms = 0.0;  ///< of the thread that draws; until all is drawn
+  };
+
+  /// A frame that uses the probe.
+  Spent use(Probe& probe) {
+    glFinish();
+    const double start = processor_now_ms(), began = now_ms();
+    graph_.begin_frame();
+    const SkyIds sky = sky_.add_tables(graph_, light_);
+    const ProbeIds ids = probe.add(graph_, light_, 8.0, sky_, sky);
+    graph_.add(
+        "use",
+        [&](PassBuilder& pass) {
+          ids.read_by(pass);
+          pass.side_effect();
+        },
+        [](const PassContext&) {});
+    graph_.execute();
+    const double spent = processor_now_ms() - start;
+    glFinish();
+    return {spent, now_ms() - began};
+  }
+
+  static double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  }
+
   static double processor_now_ms() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
