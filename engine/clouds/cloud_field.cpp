@@ -97,6 +97,7 @@ CloudField::CloudField(ShaderLibrary& shaders)
 
 CloudIds CloudField::add(FrameGraph& graph, const CloudView& view, const shared::CloudData& data) {
   lowest_base_ = data.layer.x;
+  highest_top_ = data.layer.y;
   const CloudParameters& p = view.parameters;
   state_ = hash_of(data, view.weather, view.elapsed, view.seed, p.shape_weights, p.detail_weights,
                    std::hash<std::string>()(p.weather_picture));

@@ -38,6 +38,7 @@ class CloudField {
   CloudNoise& noise() { return noise_; }
   /// Of what was added last, m over the sea.
   double lowest_base() const { return lowest_base_; }
+  double highest_top() const { return highest_top_; }
   /// Another number for every other field, place, moment or light of what was added last.
   std::uint64_t state() const { return state_; }
 
@@ -47,7 +48,7 @@ class CloudField {
   gl::Sampler volume_, plane_, nearest_;
   gl::Buffer block_;
   PassMemory block_memory_;
-  double lowest_base_ = 0.0;
+  double lowest_base_ = 0.0, highest_top_ = 0.0;
   std::uint64_t state_ = 0;
 };
 

@@ -97,6 +97,7 @@ CloudQuality CloudQuality::of(int quality) {
               .cut_cell = {2, 2},
               .steps = 32,
               .light_steps = 3,
+              .light_steps_inside = 1,
               .finest = 26.0f,
               .growth = 0.013f,
               .reach = 70000.0f,
@@ -106,22 +107,23 @@ CloudQuality CloudQuality::of(int quality) {
               .cut_cell = {2, 2},
               .steps = 80,
               .light_steps = 4,
-              .finest = 18.0f,
-              .growth = 0.008f,
+              .light_steps_inside = 2,
+              .finest = 13.0f,
+              .growth = 0.0055f,
               .reach = 90000.0f};
     case 2:
       return {.cell = {2, 2},
               .steps = 110,
               .light_steps = 4,
-              .finest = 14.0f,
-              .growth = 0.006f,
+              .finest = 7.0f,
+              .growth = 0.003f,
               .reach = 110000.0f};
     default:
       return {.cell = {1, 1},
               .steps = 160,
               .light_steps = 4,
-              .finest = 12.0f,
-              .growth = 0.004f,
+              .finest = 6.0f,
+              .growth = 0.002f,
               .reach = 130000.0f};
   }
 }
@@ -200,8 +202,10 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
   const glm::ivec2 chosen = pixel_of_turn(cell, anew ? anew_turn_ : turn_);
   const float shift = static_cast<float>(std::fmod(0.618033988749895 * (turn_ / turns), 1.0));
   const int first_row = view.eye.y < field.lowest_base() ? first_sky_row(camera) / cell.y : 0;
-  const int light_steps =
-      view.parameters.light_steps > 0 ? view.parameters.light_steps : quality_.light_steps;
+  const bool inside = view.eye.y > field.lowest_base() && view.eye.y < field.highest_top();
+  const int own_steps = inside && quality_.light_steps_inside > 0 ? quality_.light_steps_inside
+                                                                  : quality_.light_steps;
+  const int light_steps = view.parameters.light_steps > 0 ? view.parameters.light_steps : own_steps;
   const std::uint64_t key = hash_of(shows, still_frames_, turn_, anew_turn_,
                                     march_program_.generation(), resolve_program_.generation());
   graph.add(

@@ -15,10 +15,11 @@ struct CloudQuality {
   glm::ivec2 cut_cell{1, 1};  ///< and until each was once after a cut, or by lightning: one of such
   int steps = 40;             ///< most of a ray, in and near cloud
   int light_steps = 3;
-  float finest = 45.0f;    ///< shortest step, m
-  float growth = 0.011f;   ///< step over distance
-  float reach = 70000.0f;  ///< m
-  bool curl = true;        ///< edges drawn out by the wind
+  int light_steps_inside = 0;  ///< for an eye among the clouds; 0: as outside
+  float finest = 45.0f;        ///< shortest step, m
+  float growth = 0.011f;       ///< step over distance
+  float reach = 70000.0f;      ///< m
+  bool curl = true;            ///< edges drawn out by the wind
   // Switched off only to measure what they buy.
   float least = 0.008f;    ///< transmittance at which a ray ends; 0: never before its end
   bool skipping = true;    ///< longer steps where the field says that there is no cloud
