@@ -105,11 +105,10 @@ CloudQuality CloudQuality::of(int quality) {
     case 1:
       return {.cell = {4, 4},
               .cut_cell = {2, 2},
-              .steps = 80,
+              .steps = 96,
               .light_steps = 4,
-              .light_steps_inside = 2,
-              .finest = 13.0f,
-              .growth = 0.0055f,
+              .finest = 11.0f,
+              .growth = 0.0047f,
               .reach = 90000.0f};
     case 2:
       return {.cell = {2, 2},
@@ -122,8 +121,8 @@ CloudQuality CloudQuality::of(int quality) {
       return {.cell = {1, 1},
               .steps = 160,
               .light_steps = 4,
-              .finest = 6.0f,
-              .growth = 0.002f,
+              .finest = 8.0f,
+              .growth = 0.0026f,
               .reach = 130000.0f};
   }
 }

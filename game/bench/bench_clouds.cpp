@@ -100,9 +100,9 @@ std::vector<Setting> settings() {
   }
   // Cheaper than anything that is shipped.
   CloudQuality smaller = CloudQuality::of(0);
-  smaller.cell = {8, 8};
+  smaller.cell = {16, 8};
   smaller.light_steps = 1;
-  list.push_back({"low, 8 × 8 cells, 1 light step, steps × 2", smaller, 2.0});
+  list.push_back({"low, 16 × 8 cells, 1 light step, steps × 2", smaller, 2.0});
   return list;
 }
 

@@ -18,12 +18,12 @@ layout(location = 8) uniform int first_row;  // of cells; below it there is only
 layout(location = 9) uniform int first_row_before;  // of pixels, in the last frame
 layout(location = 10) uniform int has_history;  // 0: after a cut
 
-// Where the picture held this before, in pixels; outside of it where that is not known.
+// Where the picture held this before, in pixels; far to the left where that is not known.
 vec2 place_before(vec2 at, float distance) {
   vec4 near = frame.relative_from_clip * vec4(2.0 * at * frame.viewport.zw - 1.0, 1.0, 1.0);
   vec3 before = normalize(near.xyz / near.w) * distance + moved;
   vec4 clip = clip_before * vec4(before, 1.0);
-  return clip.w > 0.0 ? (0.5 + 0.5 * clip.xy / clip.w) * frame.viewport.xy : vec2(-1.0);
+  return clip.w > 0.0 ? (0.5 + 0.5 * clip.xy / clip.w) * frame.viewport.xy : vec2(-1.0e5);
 }
 
 void main() {
@@ -47,12 +47,19 @@ void main() {
   vec4 per_reach = 1.0 / max(0.5 * kSlack * (high - low), vec4(kSame));
   vec2 size = vec2(imageSize(result));
   float distance = texelFetch(distance_seen, texel, 0).r;
+  // Over a cell the way back is as good as linear.
+  vec2 first = vec2(texel * cell) + 0.5, whole = vec2(cell);
+  vec2 first_before = place_before(first, distance);
+  vec2 last_before = place_before(first + whole, distance);
+  vec2 right_before = place_before(first + vec2(whole.x, 0.0), distance);
+  bool seen_before = min(min(first_before.x, last_before.x), right_before.x) > -1.0e4;
+  mat2 before_per_pixel = mat2((right_before - first_before) / whole.x, (last_before - right_before) / whole.y);
   ivec2 within = ivec2(0);
   for (int i = 0; i < cell.x * cell.y; ++i) {
     ivec2 pixel = texel * cell + within;
     vec2 at = vec2(pixel) + 0.5;
-    vec2 at_before = place_before(at, distance);
-    bool known = has_history > 0 && all(greaterThan(at_before, vec2(0.0, float(first_row_before) + 0.49))) &&
+    vec2 at_before = first_before + before_per_pixel * vec2(within);
+    bool known = has_history > 0 && seen_before && all(greaterThan(at_before, vec2(0.0, float(first_row_before) + 0.49))) &&
                  all(lessThan(at_before, size));
     // Less than half a pixel until its turn comes again is no reason to blur.
     vec2 way = 2.0 * float(cell.x * cell.y) * (at_before - at);
