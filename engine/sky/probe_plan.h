@@ -10,8 +10,8 @@ namespace offing {
 /// tree of nodes (texels, and squares of 2 to 16 of them), and for each tile of a level
 /// the nodes that look small from there beside its lobe (after Barnes & Hut, Nature 1986).
 struct ProbePlan {
-  static constexpr int kMips = 5;     ///< sizes of nodes: 1, 2, 4, 8 and 16 texels per side
-  static constexpr int kTile = 8;     ///< texels per side of a tile
+  static constexpr int kMips = 5;  ///< sizes of nodes: 1, 2, 4, 8 and 16 texels per side
+  static constexpr int kTile = 8;  ///< texels per side of a tile
 
   /// `size`: texels per side of each of the two squares of what is seen, a multiple of 16;
   /// `sides`: texels per side of the levels, of which the first, a mirror, is no sum.
