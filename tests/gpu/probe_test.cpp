@@ -60,7 +60,8 @@ TEST_F(ProbeTest, RoughMirrorsAgreeWithBruteForce) {
   // The first frame is whole. Most of these lie between two levels of the map. The mean is that of
   // the whole sphere; with the sun at 6 degrees red light beside it is seventy times as much.
   for (const double elevation : {50.0, 6.0, -4.0}) {
-    for (const float roughness : {0.0f, 0.05f, 0.07f, 0.1f, 0.15f, 0.2f, 0.3f, 0.4f, 0.6f, 1.0f}) {
+    for (const float roughness :
+         {0.0f, 0.05f, 0.07f, 0.1f, 0.15f, 0.2f, 0.3f, 0.4f, 0.6f, 0.8f, 1.0f}) {
       const int samples = roughness == 0.0f ? 1 : 4096;
       const auto answers =
           frame(sun_at(240.0, elevation), queries_all_round(256, roughness), samples);
