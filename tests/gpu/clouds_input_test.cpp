@@ -11,7 +11,7 @@
 #include "engine/io/file.h"
 #include "engine/io/image.h"
 #include "support/graph_test.h"
-#include "support/paths.h"
+#include "support/scratch_folder.h"
 #include "unit/png_bytes.h"
 
 namespace offing {
@@ -20,22 +20,13 @@ namespace fs = std::filesystem;
 
 class CloudInputTest : public test::GraphTest {
  protected:
-  void SetUp() override {
-    GraphTest::SetUp();
-    folder_ = test::test_output() / "clouds_input_test";
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override {
-    fs::remove_all(folder_);
-    GraphTest::TearDown();
-  }
   std::string keep(const std::string& name, const std::string& bytes) const {
     write_text(folder_ / name, bytes);
     return (folder_ / name).string();
   }
 
-  fs::path folder_;
+  const test::ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
 };
 
 class WeatherPictureTest : public CloudInputTest {

@@ -2,19 +2,12 @@
 #include <algorithm>
 
 #include "game/render/voyage.h"
-#include "support/gl_test.h"
+#include "support/voyage_test.h"
 
 namespace offing {
 namespace {
 
-class CloudLimits : public test::GlTest {
- protected:
-  // Only asks whether there is OpenGL: a voyage opens a context of its own.
-  void SetUp() override {
-    GlTest::SetUp();
-    GlTest::TearDown();
-  }
-};
+using CloudLimits = test::VoyageTest;
 
 /// The least and the most that a field can hold, or all that it can be.
 std::vector<FieldValue> limits(const Field& field) {

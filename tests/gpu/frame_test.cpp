@@ -7,19 +7,13 @@
 #include <vector>
 
 #include "game/render/voyage.h"
-#include "support/gl_test.h"
+#include "support/voyage_test.h"
 
 namespace offing {
 namespace {
 
-class Frame : public test::GlTest {
+class Frame : public test::VoyageTest {
  protected:
-  // Only asks whether there is OpenGL: a voyage opens a context of its own.
-  void SetUp() override {
-    GlTest::SetUp();
-    GlTest::TearDown();
-  }
-
   // Draws `frames` small pictures of the default scene with these settings, after one that fills
   // what is kept.
   void sail(std::vector<std::string> settings, int frames) {

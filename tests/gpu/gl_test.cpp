@@ -12,7 +12,7 @@
 #include "engine/graph/frame_graph.h"
 #include "engine/graph/gl_device.h"
 #include "support/gl_test.h"
-#include "support/paths.h"
+#include "support/scratch_folder.h"
 
 namespace offing {
 namespace {
@@ -70,14 +70,6 @@ TEST_F(GlObjects, ReadbackBringsTheNewestResultWithItsTagAndNeverMixesThem) {
 
 class Shaders : public GlTest {
  protected:
-  void SetUp() override {
-    GlTest::SetUp();
-    // One for each test: several run at once.
-    folder_ = test::test_output() / "shaders" /
-              ::testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
   void write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name) << text;
     // Two writes within one tick of the file system's clock must still be told apart.
@@ -93,7 +85,8 @@ class Shaders : public GlTest {
     out.read(&value, sizeof(value));
     return value;
   }
-  fs::path folder_;
+  const test::ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
   int tick_ = 0;
 };
 

@@ -11,21 +11,14 @@
 
 #include "engine/core/angles.h"
 #include "game/render/voyage.h"
-#include "support/gl_test.h"
+#include "support/voyage_test.h"
 
 namespace offing {
 namespace {
 
 constexpr glm::ivec2 kSize{64, 36};
 
-class LightningPicture : public test::GlTest {
- protected:
-  // Only asks whether there is OpenGL: a voyage opens a context of its own.
-  void SetUp() override {
-    GlTest::SetUp();
-    GlTest::TearDown();
-  }
-};
+using LightningPicture = test::VoyageTest;
 
 constexpr int kFrames = 8;
 

@@ -7,6 +7,7 @@
 #include "engine/boat/boat.h"
 #include "engine/core/error.h"
 #include "engine/core/paths.h"
+#include "support/scratch_folder.h"
 
 namespace offing {
 namespace {
@@ -14,13 +15,6 @@ namespace fs = std::filesystem;
 
 class BoatFile : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ =
-        fs::temp_directory_path() / testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   fs::path write(const std::string& text) const {
     std::ofstream(folder_ / "boat.toml") << text;
     return folder_ / "boat.toml";
@@ -35,7 +29,8 @@ class BoatFile : public testing::Test {
     return "nothing";
   }
 
-  fs::path folder_;
+  const test::ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
 };
 
 TEST_F(BoatFile, R8sFileSaysWhatTheCodeSays) {

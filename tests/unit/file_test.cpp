@@ -2,30 +2,25 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <iterator>
 
 #include "engine/core/error.h"
-#include "support/paths.h"
+#include "support/scratch_folder.h"
 
 namespace offing {
 namespace {
 namespace fs = std::filesystem;
 
 struct File : testing::Test {
-  File() : folder(test::test_output() / ("file-" + std::to_string(::getpid()))) {
-    fs::create_directories(folder);
-  }
-  ~File() override { fs::remove_all(folder); }
-
   // Entries left in the folder, hidden ones included: a temporary file would be one.
   std::ptrdiff_t count() const {
     return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
   }
 
-  fs::path folder;
+  const test::ScratchFolder scratch;
+  const fs::path folder = scratch.path();
 };
 
 template <class Function>

@@ -1,5 +1,5 @@
 #include "engine/platform/file_watch.h"
-#include "support/paths.h"
+#include "support/scratch_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,6 @@ namespace fs = std::filesystem;
 class FileWatchTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = test::test_output() / "file_watch" / test->name();
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "ocean");
     write("sky.frag", "one");
     write("ocean/sea.comp", "two");
@@ -27,7 +24,8 @@ class FileWatchTest : public ::testing::Test {
     std::ofstream(folder_ / name) << text;
   }
 
-  fs::path folder_;
+  const test::ScratchFolder scratch_;
+  const fs::path folder_ = scratch_.path();
 };
 
 TEST_F(FileWatchTest, SaysNothingWhileNothingHappens) {

@@ -1,7 +1,6 @@
 #include "engine/io/image.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstring>
 #include <limits>
@@ -9,7 +8,7 @@
 #include "engine/core/error.h"
 #include "engine/io/file.h"
 #include "engine/io/pfm.h"
-#include "support/paths.h"
+#include "support/scratch_folder.h"
 #include "unit/png_bytes.h"
 
 namespace offing {
@@ -25,11 +24,6 @@ Image gradient(int width, int height, int channels) {
 }
 
 struct Pictures : testing::Test {
-  Pictures() : folder(test::test_output() / ("image-" + std::to_string(::getpid()))) {
-    fs::create_directories(folder);
-  }
-  ~Pictures() override { fs::remove_all(folder); }
-
   std::string reading_of(const fs::path& file) {
     try {
       read_image(file);
@@ -47,7 +41,8 @@ struct Pictures : testing::Test {
     return reading_of(folder / name);
   }
 
-  fs::path folder;
+  const test::ScratchFolder scratch;
+  const fs::path folder = scratch.path();
 };
 
 struct OpenImageIO : Pictures {

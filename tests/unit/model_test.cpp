@@ -1,7 +1,6 @@
 #include "engine/io/model.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstring>
@@ -12,7 +11,7 @@
 #include "engine/core/error.h"
 #include "engine/core/random.h"
 #include "engine/io/file.h"
-#include "support/paths.h"
+#include "support/scratch_folder.h"
 #include "unit/png_bytes.h"
 
 namespace offing {
@@ -88,10 +87,7 @@ struct Boat {
 };
 
 struct Models : testing::Test {
-  Models() : folder(test::test_output() / ("model-" + std::to_string(::getpid()))) {
-    fs::create_directories(folder / "inside");
-  }
-  ~Models() override { fs::remove_all(folder); }
+  Models() { fs::create_directories(folder / "inside"); }
 
   fs::path file(const char* name = "inside/boat.glb") const { return folder / name; }
   Model load(const std::string& bytes, const char* name = "inside/boat.glb") {
@@ -117,7 +113,8 @@ struct Models : testing::Test {
     return refusal(boat.glb());
   }
 
-  fs::path folder;
+  const test::ScratchFolder scratch;
+  const fs::path folder = scratch.path();
 };
 
 TEST_F(Models, AGlbIsReadWhole) {

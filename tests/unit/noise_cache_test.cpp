@@ -6,25 +6,22 @@
 #include <fstream>
 
 #include "engine/io/file.h"
-#include "support/paths.h"
+#include "support/scratch_folder.h"
 
 namespace offing {
 namespace {
 
 class NoiseCacheTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    file_ = test::test_output() / "noise_cache_test.noise";
-    std::filesystem::remove(file_);
-    write_noise_cache(file_, 7, "sixteen bytes ..");
-  }
+  void SetUp() override { write_noise_cache(file_, 7, "sixteen bytes .."); }
   std::optional<std::string> read(std::uint64_t parameters = 7, std::size_t bytes = 16) const {
     return read_noise_cache(file_, parameters, bytes);
   }
   void rewrite(const std::string& text) const {
     std::ofstream(file_, std::ios::binary | std::ios::trunc) << text;
   }
-  std::filesystem::path file_;
+  const test::ScratchFolder scratch_;
+  const std::filesystem::path file_ = scratch_ / "clouds.noise";
 };
 
 TEST_F(NoiseCacheTest, GivesBackWhatWasKept) { EXPECT_EQ(read(), "sixteen bytes .."); }

@@ -1,7 +1,6 @@
 #include "engine/sky/palette.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -10,7 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/environment/calendar.h"
 #include "engine/io/file.h"
-#include "support/paths.h"
+#include "support/scratch_folder.h"
 
 namespace offing {
 namespace {
@@ -19,9 +18,6 @@ namespace fs = std::filesystem;
 double luminance(glm::dvec3 c) { return glm::dot(c, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
 struct PaletteFile : testing::Test {
-  PaletteFile() : file(test::test_output() / ("palette-" + std::to_string(::getpid()) + ".toml")) {}
-  ~PaletteFile() override { fs::remove(file); }
-
   static std::string frame(const std::string& hour, const std::string& replace = "",
                            const std::string& with = "") {
     std::string text =
@@ -49,7 +45,8 @@ struct PaletteFile : testing::Test {
     ADD_FAILURE() << "was not refused: " << text;
     return "";
   }
-  fs::path file;
+  const test::ScratchFolder scratch;
+  const fs::path file = scratch / "palette.toml";
 };
 
 TEST_F(PaletteFile, WhatIsWrongIsNamedWithItsLine) {

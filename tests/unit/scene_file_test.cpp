@@ -1,19 +1,17 @@
 #include "engine/io/scene_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "engine/core/error.h"
 #include "engine/io/file.h"
-#include "support/paths.h"
+#include "support/scratch_folder.h"
 
 namespace offing {
 namespace {
 namespace fs = std::filesystem;
 
 struct SceneFile : testing::Test {
-  SceneFile() : folder(test::test_output() / ("scene-" + std::to_string(::getpid()))) {
-    fs::create_directories(folder);
+  SceneFile() {
     table.group("environment")
         .text("date", date, "", [](std::string_view) { return std::string(); })
         .text("time", time, "", [](std::string_view) { return std::string(); });
@@ -24,7 +22,6 @@ struct SceneFile : testing::Test {
         .flag("foam", foam, "");
     table.group("").integer("seed", seed, {0, 1e9}, "");
   }
-  ~SceneFile() override { fs::remove_all(folder); }
 
   fs::path file() const { return folder / "gale.toml"; }
   void load(std::string_view toml) {
@@ -49,7 +46,8 @@ struct SceneFile : testing::Test {
     return "";
   }
 
-  fs::path folder;
+  const test::ScratchFolder scratch;
+  const fs::path folder = scratch.path();
   std::string date = "2026-06-21", time = "18:30:00";
   double speed = 8.0;
   glm::dvec2 position{0.0};

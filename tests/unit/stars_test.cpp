@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <libnova/apparent_position.h>
 #include <libnova/transform.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +17,7 @@
 #include "engine/environment/ephemeris.h"
 #include "engine/io/file.h"
 #include "engine/sky/starlight.h"
-#include "support/paths.h"
+#include "support/scratch_folder.h"
 
 namespace offing {
 namespace {
@@ -133,11 +132,6 @@ TEST(Stars, ColoursGoFromBlueToRed) {
 }
 
 struct StarFile : testing::Test {
-  StarFile() : file(test::test_output() / ("stars-" + std::to_string(::getpid()) + ".bin")) {
-    bytes = read_text(star_file());
-  }
-  ~StarFile() override { fs::remove(file); }
-
   std::string refusal() {
     write_text(file, bytes);
     try {
@@ -166,8 +160,9 @@ struct StarFile : testing::Test {
     }
   }
 
-  fs::path file;
-  std::string bytes;
+  const test::ScratchFolder scratch;
+  const fs::path file = scratch / "stars.bin";
+  std::string bytes = read_text(star_file());
 };
 
 TEST_F(StarFile, CutShortAnywhere) {
@@ -238,14 +233,14 @@ TEST(MilkyWay, LiesWhereItDoes) {
 }
 
 TEST(MilkyWay, AFileCutShort) {
-  const fs::path file = test::test_output() / ("band-" + std::to_string(::getpid()) + ".pgm");
+  const test::ScratchFolder scratch;
+  const fs::path file = scratch / "band.pgm";
   const std::string whole = read_text(milky_way_file());
   for (const std::string& bytes : {whole.substr(0, whole.size() - 1), whole.substr(0, 7),
                                    std::string("P6\n2 2\n255\nabcd"), whole + "x"}) {
     write_text(file, bytes);
     EXPECT_THROW(load_milky_way(file), InputError);
   }
-  fs::remove(file);
 }
 
 TEST(Starlight, IsTheSumOfItsStars) {
