@@ -199,7 +199,6 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
   const bool direct = cell == glm::ivec2(1);  // nothing is left to fill in
   const gl::Texture& target = direct ? result : marched.seen;
   const glm::ivec2 chosen = pixel_of_turn(cell, anew ? anew_turn_ : turn_);
-  const float shift = static_cast<float>(std::fmod(0.618033988749895 * (turn_ / turns), 1.0));
   const int first_row = view.eye.y < field.lowest_base() ? first_sky_row(camera) / cell.y : 0;
   const bool inside = view.eye.y > field.lowest_base() && view.eye.y < field.highest_top();
   const int own_steps = inside && quality_.light_steps_inside > 0 ? quality_.light_steps_inside
@@ -216,7 +215,7 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
         pass.write(graph.import(target)).write(graph.import(marched.distance));
         pass.cache(march_memory_, key).skip_if(!visible);
       },
-      [this, &field, &sky, &shadow, &target, &marched, ids, sky_ids, shadow_ids, chosen, shift,
+      [this, &field, &sky, &shadow, &target, &marched, ids, sky_ids, shadow_ids, chosen,
        light_steps, first_row](const PassContext& context) {
         sky.bind(context, sky_ids);
         field.bind(context, ids);
@@ -225,9 +224,8 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
         const gl::Program& program = march_program_.program();
         program.set(0, marched.cell);
         program.set(1, chosen);
-        program.set(2, shift);
-        program.set(3, light_steps);
-        program.set(4, first_row);
+        program.set(2, light_steps);
+        program.set(3, first_row);
         target.bind_image(0, GL_WRITE_ONLY);
         marched.distance.bind_image(1, GL_WRITE_ONLY);
         glDispatchCompute(groups(target.width()), groups(target.height() - first_row), 1);

@@ -14,6 +14,6 @@ void main() {
   int size = imageSize(map).x;
   if (texel.x >= size || texel.y >= min(rows.x + rows.y, size)) return;
   vec3 direction = cloud_map_direction((vec2(texel) + 0.5) / float(size));
-  CloudSight sight = cloud_sight(direction, 0.5, light_steps);
+  CloudSight sight = cloud_sight(direction, light_steps);
   imageStore(map, texel, vec4(min(sight.radiance, vec3(6.0e4)), sight.transmittance));
 }

@@ -7,14 +7,8 @@ layout(rgba16f, binding = 0) uniform writeonly image2D seen;   // radiance × ex
 layout(r16f, binding = 1) uniform writeonly image2D distance;  // m
 layout(location = 0) uniform ivec2 cell;    // pixels
 layout(location = 1) uniform ivec2 chosen;  // of the cell
-layout(location = 2) uniform float shift;   // 0 … 1, another one every round
-layout(location = 3) uniform int light_steps;
-layout(location = 4) uniform int first_row;  // below it there is only sea
-
-// Interleaved gradient noise (Jimenez 2014): any few neighbours are spread evenly.
-float spread_noise(vec2 pixel) {
-  return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
-}
+layout(location = 2) uniform int light_steps;
+layout(location = 3) uniform int first_row;  // below it there is only sea
 
 void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, first_row);
@@ -22,7 +16,7 @@ void main() {
   vec2 pixel = vec2(texel * cell + chosen) + 0.5;
   vec4 near = frame.relative_from_clip * vec4(2.0 * pixel * frame.viewport.zw - 1.0, 1.0, 1.0);
   vec3 direction = normalize(near.xyz / near.w);
-  CloudSight sight = cloud_sight(direction, fract(spread_noise(pixel) + shift), light_steps);
+  CloudSight sight = cloud_sight(direction, light_steps);
   imageStore(seen, texel, vec4(min(sight.radiance * frame.time.z, vec3(30000.0)), sight.transmittance));
   imageStore(distance, texel, vec4(min(sight.distance, 60000.0)));
 }

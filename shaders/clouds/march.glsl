@@ -142,8 +142,9 @@ vec3 cloud_leaving(CloudRay ray, CloudPlace place, vec3 p, float to_light, float
   return leaving * clouds.light.w;
 }
 
-// The low clouds, from `near` to `far`. `jitter` 0 … 1 shifts the samples.
-CloudSight march_low(CloudRay ray, float near, float far, float jitter, int light_steps) {
+// The low clouds, from `near` to `far`. No sample is shifted at random: what a step holds is a mean, so there are
+// no bands to hide, and grain would show in thin layers.
+CloudSight march_low(CloudRay ray, float near, float far, int light_steps) {
   CloudSight sight;
   sight.radiance = vec3(0.0);
   sight.transmittance = 1.0;
@@ -153,7 +154,6 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
   float before = -1.0;      // the signed field at the last sample, and where that was
   float last = near;
   vec3 source = vec3(0.0);  // light that leaves the last place that was lit
-  t += 0.4 * jitter * max(FINEST, GROWTH * t) * clouds.march.x;
   for (int i = 0; i < STEPS; ++i) {
     // Through empty air cell by cell of the weather.
     vec3 p = ray.direction * t;
@@ -205,7 +205,7 @@ CloudSight march_low(CloudRay ray, float near, float far, float jitter, int ligh
 }
 
 // The clouds along a ray from the camera, through the air.
-CloudSight cloud_sight(vec3 direction, float jitter, int light_steps) {
+CloudSight cloud_sight(vec3 direction, int light_steps) {
   CloudSpan span = cloud_span(vec3(0.0), direction);
   span.far = min(span.far, REACH) * clouds.eye.z;
   CloudSight sight;
@@ -213,7 +213,7 @@ CloudSight cloud_sight(vec3 direction, float jitter, int light_steps) {
   sight.transmittance = 1.0;
   sight.distance = REACH;
   CloudRay ray = cloud_ray(direction, min(span.near, REACH));
-  sight = march_low(ray, span.near, span.far, jitter, light_steps);
+  sight = march_low(ray, span.near, span.far, light_steps);
   AirLight air = cloud_air(direction, sight.distance, cloud_altitude(direction * sight.distance));
   sight.radiance = sight.radiance * air.transmittance + air.inscattered * (1.0 - sight.transmittance);
   return sight;
