@@ -137,7 +137,10 @@ vec3 sea_radiance(vec4 seen) {
   Surface surface = read_surface(parameter, seen.z, gustiness(parameter));
 
   vec3 light = light_time.xyz;
-  vec3 direct = direct_exposure.rgb * cloud_shadow(-view * distance);
+  vec3 direct = direct_exposure.rgb;
+#ifdef CLOUDS
+  direct *= cloud_shadow(-view * distance);
+#endif
 #ifdef HULL_SHADOW
   vec3 water = -view * distance;
   if (boat_shadow_reaches(boat_shadow_place(water))) direct *= boat_shade(water);
