@@ -14,6 +14,13 @@ bool boat_shadow_reaches(vec3 place) {
   return boat_shadow.light.w >= 0.0 && max(off.x, off.y) < 0.5 && place.z > 0.0;
 }
 
+// Whether no place of a line (its ends relative to the camera, m) can lie in the shadow.
+bool boat_shadow_misses(vec3 from, vec3 to) {
+  vec2 a = boat_shadow_place(from).xy - 0.5, b = boat_shadow_place(to).xy - 0.5;
+  return boat_shadow.light.w < 0.0 || any(greaterThan(min(a, b), vec2(0.5))) ||
+         any(lessThan(max(a, b), vec2(-0.5)));
+}
+
 // Share of a half of the map (0: opaque, 0.5: cloth) that lets light through to a place, over one or
 // four texels and their neighbours.
 float boat_shadow_open(vec3 place, float half_) {
@@ -33,9 +40,10 @@ float boat_shadow_open(vec3 place, float half_) {
 // Share of the light that reaches a place (relative to the camera, m) past spars, hull and sails.
 float boat_shade(vec3 relative) {
   vec3 place = boat_shadow_place(relative);
+  if (!boat_shadow_reaches(place)) return 1.0;
   // Cloth waves, and its edges are not sharp: what is this near to it is it.
   const float kCloth = 0.15;  // m
   float open = boat_shadow_open(place, 0.0);
   float past_cloth = boat_shadow_open(place - vec3(0.0, 0.0, kCloth * boat_shadow.map.z), 0.5);
-  return boat_shadow_reaches(place) ? open * mix(boat_shadow.map.w, 1.0, past_cloth) : 1.0;
+  return open * mix(boat_shadow.map.w, 1.0, past_cloth);
 }

@@ -6,12 +6,11 @@
 #include "lib/water.glsl"
 #include "sky/probe.glsl"
 #include "clouds/shadow.glsl"
+#include "ocean/die.glsl"
+#include "ocean/surface.glsl"
 #ifdef HULL_SHADOW
 #include "boat/shadow.glsl"
-#endif
-#include "ocean/surface.glsl"
-#ifdef PICK_LEVELS
-#include "ocean/die.glsl"
+#include "ocean/hull_shade.glsl"
 #endif
 #include "ocean/resolved.glsl"
 #include "ocean/foam.glsl"
@@ -137,13 +136,15 @@ vec3 sea_radiance(vec4 seen) {
   Surface surface = read_surface(parameter, seen.z, gustiness(parameter));
 
   vec3 light = light_time.xyz;
+  vec3 water = -view * distance;
   vec3 direct = direct_exposure.rgb;
 #ifdef CLOUDS
-  direct *= cloud_shadow(-view * distance);
+  direct *= cloud_shadow(water);
 #endif
+  vec3 into = direct;  // the part of it that lights what lies deep
 #ifdef HULL_SHADOW
-  vec3 water = -view * distance;
-  if (boat_shadow_reaches(boat_shadow_place(water))) direct *= boat_shade(water);
+  into *= hull_shade_below(water, view, light);
+  direct *= boat_shade(water);
 #endif
   vec3 from_sky = diffuse_height.rgb;
   vec3 down = from_sky + direct * max(light.y, 0.0);
@@ -169,7 +170,7 @@ vec3 sea_radiance(vec4 seen) {
                                 sqrt(min(width, 1.0)));
 
   // Light that has been below.
-  vec3 body = ocean.body.rgb * down;
+  vec3 body = ocean.body.rgb * (from_sky + into * max(light.y, 0.0));
   float steepness = length(surface.slope);
   body += through_crest(surface.slope, view, light, direct, from_sky, height);
 
