@@ -13,6 +13,8 @@
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/ocean.h"
 
+#define OFFING_GLSL "shaders/lib/crest.glsl"
+#include "engine/core/glsl_double.h"
 #define OFFING_GLSL "shaders/lib/water.glsl"
 #include "engine/core/glsl_double.h"
 
@@ -321,9 +323,8 @@ void Ocean::update_block(const OceanView& view) {
   // and back, .54.
   data.body = rgb(0.54 * 0.33 / kPi * body.backscatter / (body.absorption + body.backscatter));
   data.plume = rgb(glm::exp(-1.2 * extinction));
-  // Most scattering turns light by little, and it goes on: of b some .15 is lost to the way.
-  const glm::dvec3 loss = body.absorption + 0.15 * body.scattering;
-  data.crest_loss = rgb(loss);
+  const glm::dvec3 loss = body.absorption + glsl::kScatteringLost * body.scattering;
+  data.crest_loss = rgb(loss, body.scattering.y);
   data.crest_gain = rgb(0.5 / (glsl::kWaterIndex * glsl::kWaterIndex) * body.scattering / loss);
   data.hull_loss = rgb(body.absorption + 12.0 * body.backscatter);
   block_.write(data);
