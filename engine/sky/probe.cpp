@@ -17,8 +17,6 @@ namespace {
 
 using shared::kProbeLevels;
 
-// Rows of a work group of probe_capture.comp, and texels across.
-constexpr int kGroupRows = 4, kGroupColumns = 16;
 constexpr int kListWidth = 1024;  // texels, of four nodes each
 // A leap: the light has gone further in one frame than any clock of the game moves it, or the
 // camera is elsewhere. What is shown is then made anew at once.
@@ -81,9 +79,11 @@ Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
       plan_(settings.size, sides_of(settings.size)),
       linear_("probe", GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE),
       nearest_("probe nodes", GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE) {
+  shared::ProbeData data{};
   int rows = 0;
-  for (const int side : sides_of(settings_.size)) {
-    levels_.emplace_back(0, rows, side, 0);
+  for (int level = 0; const int side : sides_of(settings_.size)) {
+    const double alpha = level > 0 ? glsl::probe_alpha(level) : 0.0;
+    data.levels[level++] = glm::vec4(0.0f, rows, side, alpha);
     rows += side;
   }
   const gl::TextureDesc desc{.format = GL_RGBA16F, .width = 2 * settings_.size, .height = rows};
@@ -106,11 +106,9 @@ Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
   lists_ =
       gl::Texture("probe lists", {.format = GL_RGBA32UI, .width = kListWidth, .height = list_rows});
   lists_.upload(GL_RGBA_INTEGER, GL_UNSIGNED_INT, plan_.lists.data());
-  block_list_ = gl::Buffer::of<glm::uvec2>("probe blocks", plan_.blocks);
+  tiles_ = gl::Buffer::of<glm::uvec4>("probe tiles", plan_.tiles);
   plan_.places.clear();
   plan_.lists.clear();
-  shared::ProbeData data{};
-  for (int i = 0; i < kProbeLevels; ++i) data.levels[i] = glm::vec4(levels_[i]);
   data.texel = glm::vec4(1.0f / static_cast<float>(desc.width),
                          1.0f / static_cast<float>(desc.height), 0.0f, 0.0f);
   block_ = gl::Buffer("probe block", sizeof(data), GL_DYNAMIC_STORAGE_BIT, &data);
@@ -119,33 +117,17 @@ Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
 }
 
 void Probe::plan_work() {
-  const int size = settings_.size;
-  const auto rows = [&](Kind kind, int level, int step, const auto& cost) {
-    const int side = levels_[static_cast<std::size_t>(level)].z;
-    for (int row = 0; row < side; row += step) {
-      work_.push_back({kind, level, row, std::min(step, side - row), cost(row), 0});
-    }
+  const double texels = settings_.size * settings_.size, tile = ProbePlan::kTile * ProbePlan::kTile;
+  const int all = static_cast<int>(plan_.tiles.size());
+  const auto tiles = [&](Kind kind, int first, int last, const auto& cost) {
+    for (int i = first; i < last; ++i) work_.push_back({kind, i, 1, cost(i), 0});
   };
-  rows(Kind::kCapture, 0, kGroupRows, [&](int) { return kCaptureCost * 2.0 * size * kGroupRows; });
-  work_.push_back({Kind::kMips, 0, 0, 0, kMipCost * 2.0 / 3.0 * size * size, 0});
-  work_.push_back({Kind::kIrradiance, 0, 0, 0, kIrradianceCost * size * size / 8.0, 0});
-  for (int level = 1; level < kProbeLevels; ++level) {
-    const int across = ProbePlan::blocks_across(levels_[static_cast<std::size_t>(level)].z);
-    rows(Kind::kLevel, level, ProbePlan::kRows, [&](int row) {
-      double pairs = 0.0;
-      for (int i = 0; i < 2 * across; ++i) {
-        const int block = plan_.first_block[static_cast<std::size_t>(level)] +
-                          2 * across * (row / ProbePlan::kRows) + i;
-        pairs += plan_.blocks[static_cast<std::size_t>(block)].y;
-      }
-      return kPairCost * ProbePlan::kColumns * ProbePlan::kRows * 4.0 * pairs;
-    });
-  }
-  for (int level = 1; level < kProbeLevels; ++level) {
-    const double side = levels_[static_cast<std::size_t>(level)].z;
-    rows(Kind::kSharpen, level, kGroupRows,
-         [&](int) { return kSharpenCost * 2.0 * side * kGroupRows; });
-  }
+  tiles(Kind::kCapture, 0, plan_.first_sum, [&](int) { return kCaptureCost * tile; });
+  work_.push_back({Kind::kMips, 0, 0, kMipCost * 2.0 / 3.0 * texels, 0});
+  work_.push_back({Kind::kIrradiance, 0, 0, kIrradianceCost * texels / 8.0, 0});
+  tiles(Kind::kLevel, plan_.first_sum, all,
+        [&](int i) { return kPairCost * tile * 4.0 * plan_.tiles[static_cast<std::size_t>(i)].y; });
+  tiles(Kind::kSharpen, plan_.first_sum, all, [&](int) { return kSharpenCost * tile; });
   double total = 0.0, done = 0.0;
   for (const Work& work : work_) total += work.cost;
   for (Work& work : work_) {
@@ -153,12 +135,11 @@ void Probe::plan_work() {
     work.slice = std::min(static_cast<int>(middle * settings_.slices), settings_.slices - 1);
     done += work.cost;
   }
-  // What is done in the same frame to the same level is one dispatch.
+  // What is done in the same frame by the same program is one dispatch.
   std::vector<Work> merged;
   for (const Work& work : work_) {
-    if (!merged.empty() && merged.back().slice == work.slice && merged.back().level == work.level &&
-        merged.back().kind == work.kind) {
-      merged.back().rows += work.rows;
+    if (!merged.empty() && merged.back().slice == work.slice && merged.back().kind == work.kind) {
+      merged.back().tiles += work.tiles;
       merged.back().cost += work.cost;
     } else {
       merged.push_back(work);
@@ -227,9 +208,7 @@ ProbeIds Probe::add(FrameGraph& graph, const SkyLight& light, double wind_speed,
         if (frame.idle()) return;
         sky_ids.read_by(pass);
         if (clouds) pass.read(clouds->map);
-        for (const Generation& generation : generations_) {
-          pass.modify(graph.import(generation.map)).modify(graph.import(generation.irradiance));
-        }
+        // The generations are the probe's own: run_slice() and blend() order what touches them.
       },
       [this, frame](const PassContext& context) { run(frame, context); });
   return ids;
@@ -274,18 +253,17 @@ void Probe::run_slice(const Frame& frame, int slice, const Generation& into) {
   }
   sums_.bind(3);
   linear_.bind(3);
+  seen_.bind_image(1, GL_READ_WRITE);
   block_.bind_uniform(OFFING_BIND_PROBE);
   into.irradiance.bind_storage(0);
-  block_list_.bind_storage(1);
-  capture_.program().set(4, frame.clouds ? 1 : 0);
+  tiles_.bind_storage(1);
   on_ = frame.state.on;
-  capture_.program().set(5, on_ ? 0 : 1);
-  irradiance_.program().set(5, on_ ? 0 : 1);
   for (const Work& work : work_) {
     if (work.slice != slice) continue;
     // It may read what the last one wrote.
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    if (work.kind == Kind::kCapture) capture_.program().set(4, frame.clouds ? 1 : 0);
     const bool sums = on_ && work.kind == Kind::kLevel;  // still to be sharpened
     (sums ? sums_ : into.map).bind_image(0, GL_WRITE_ONLY);
     dispatch(work);
@@ -293,56 +271,51 @@ void Probe::run_slice(const Frame& frame, int slice, const Generation& into) {
 }
 
 void Probe::dispatch(const Work& work) const {
-  const glm::ivec4& level = levels_[static_cast<std::size_t>(work.level)];
-  const int size = settings_.size;
-  const auto groups = [](int count, int each) {
-    return static_cast<GLuint>((count + each - 1) / each);
-  };
-  const auto use = [&](const ShaderProgram& program) -> const gl::Program& {
+  const auto make_tiles = [&](const ShaderProgram& program) {
     program.use();
-    return program.program();
+    program.program().set(0, work.first_tile);
+    glDispatchCompute(static_cast<GLuint>(work.tiles), 1, 1);
   };
-  if (work.kind == Kind::kCapture || (!on_ && work.kind == Kind::kLevel)) {
-    seen_.bind_image(1, GL_WRITE_ONLY);
-    use(capture_).set(0, glm::ivec4(level.x, level.y, level.z, work.first_row));
-    glDispatchCompute(groups(2 * level.z, kGroupColumns), groups(work.rows, kGroupRows), 1);
-    return;
-  }
   switch (work.kind) {
-    case Kind::kMips:
-      seen_.bind_image(1, GL_READ_WRITE);
-      for (int mip = 1; mip < ProbePlan::kMips; ++mip) {
-        const int side = size >> mip;
-        use(mip_).set(0, glm::ivec4(ProbePlan::first_row(size, mip - 1),
-                                    ProbePlan::first_row(size, mip), 2 * side, side));
-        glDispatchCompute(groups(2 * side, 8), groups(side, 8), 1);
-        glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    case Kind::kLevel:
+      if (on_) {
+        make_tiles(level_);
+        break;
       }
+      [[fallthrough]];  // every level shows the sky's tables
+    case Kind::kCapture:
+      capture_.program().set(5, on_ ? 0 : 1);
+      make_tiles(capture_);
       break;
-    case Kind::kLevel: {
-      const gl::Program& program = use(level_);
-      program.set(0, glm::ivec4(level.x, level.y, level.z, work.first_row));
-      program.set(1, plan_.first_block[static_cast<std::size_t>(work.level)]);
-      program.set(2, static_cast<float>(glsl::probe_alpha(work.level)));
-      glDispatchCompute(groups(level.z, ProbePlan::kColumns), groups(work.rows, ProbePlan::kRows),
-                        2);
+    case Kind::kMips:
+      make_mips();
       break;
-    }
     case Kind::kSharpen:
-      if (!on_) break;
-      use(sharpen_).set(0, glm::ivec4(level.x, level.y, level.z, work.first_row));
-      use(sharpen_).set(1, work.level);
-      glDispatchCompute(groups(2 * level.z, kGroupColumns), groups(work.rows, kGroupRows), 1);
+      if (on_) make_tiles(sharpen_);
       break;
     case Kind::kIrradiance: {
       constexpr int kMip = 2;  // fine enough for what it keeps
-      use(irradiance_)
-          .set(0, glm::ivec4(ProbePlan::first_row(size, kMip), 2 * size >> kMip, size >> kMip, 0));
+      const int size = settings_.size;
+      irradiance_.use();
+      irradiance_.program().set(5, on_ ? 0 : 1);
+      irradiance_.program().set(
+          0, glm::ivec4(ProbePlan::first_row(size, kMip), 2 * size >> kMip, size >> kMip, 0));
       glDispatchCompute(1, 1, 1);
       break;
     }
-    case Kind::kCapture:
-      break;
+  }
+}
+
+void Probe::make_mips() const {
+  const int size = settings_.size;
+  mip_.use();
+  for (int mip = 1; mip < ProbePlan::kMips; ++mip) {
+    const int side = size >> mip;
+    mip_.program().set(0, glm::ivec4(ProbePlan::first_row(size, mip - 1),
+                                     ProbePlan::first_row(size, mip), 2 * side, side));
+    glDispatchCompute(static_cast<GLuint>((2 * side + 7) / 8), static_cast<GLuint>((side + 7) / 8),
+                      1);
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   }
 }
 

@@ -67,10 +67,10 @@ class Probe {
 
  private:
   enum class Kind : std::uint8_t { kCapture, kMips, kLevel, kSharpen, kIrradiance };
-  /// One dispatch: some rows of one level of the map.
+  /// One dispatch: some tiles of the plan, or all there is of mips and irradiance.
   struct Work {
     Kind kind;
-    int level, first_row, rows;
+    int first_tile, tiles;
     double cost;
     int slice;
   };
@@ -90,6 +90,7 @@ class Probe {
   void run(const Frame& frame, const PassContext& context);
   void run_slice(const Frame& frame, int slice, const Generation& into);
   void dispatch(const Work& work) const;
+  void make_mips() const;
   void blend(float share);
 
   ProbeSettings settings_;
@@ -100,12 +101,11 @@ class Probe {
   const ShaderProgram& irradiance_;
   const ShaderProgram& blend_;
   std::vector<Work> work_;
-  std::vector<glm::ivec4> levels_;  ///< first texel, texels per side
   gl::Texture shown_;
   gl::Texture sums_;  ///< the levels before they are sharpened
   ProbePlan plan_;
   gl::Texture places_, lists_, seen_;  ///< of the plan's nodes
-  gl::Buffer block_, block_list_;
+  gl::Buffer block_, tiles_;
   Generation generations_[2];
   gl::Sampler linear_, nearest_;
 

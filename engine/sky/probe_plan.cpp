@@ -84,48 +84,48 @@ struct Tree {
 };
 
 /// The texels of a level for which one list is made.
-struct Block {
+struct Tile {
   dvec3 middle;
   double extent;  // along the chord
   double alpha;   // width of the lobe
   double tolerance;
 };
 
-Block block_of(int side, int first_x, int first_y, bool upper, double alpha) {
+Tile tile_of(int side, int first_x, int first_y, bool upper, double alpha) {
   std::vector<dvec3> directions;
   dvec3 sum(0.0);
-  for (int y = first_y; y < std::min(first_y + ProbePlan::kRows, side); ++y) {
-    for (int x = first_x; x < std::min(first_x + ProbePlan::kColumns, side); ++x) {
+  for (int y = first_y; y < std::min(first_y + ProbePlan::kTile, side); ++y) {
+    for (int x = first_x; x < std::min(first_x + ProbePlan::kTile, side); ++x) {
       directions.push_back(Tree::direction(x, y, side, upper));
       sum += directions.back();
     }
   }
-  Block block{glm::normalize(sum), 0.0, alpha, tolerance_of(alpha)};
+  Tile tile{glm::normalize(sum), 0.0, alpha, tolerance_of(alpha)};
   for (const dvec3& d : directions) {
-    block.extent = std::max(block.extent, glm::length(d - block.middle));
+    tile.extent = std::max(tile.extent, glm::length(d - tile.middle));
   }
-  return block;
+  return tile;
 }
 
-void collect(const Tree& tree, const Block& block, std::size_t mip, int x, int y,
+void collect(const Tree& tree, const Tile& tile, std::size_t mip, int x, int y,
              std::vector<std::uint32_t>& list) {
   const Node& node = tree.at(mip, x, y);
-  const double distance = glm::length(node.middle - block.middle) - block.extent;
-  // Behind all of the block's surfaces: a chord of more than the square root of 2.
+  const double distance = glm::length(node.middle - tile.middle) - tile.extent;
+  // Behind all of the tile's surfaces: a chord of more than the square root of 2.
   if (distance - node.extent > std::sqrt(2.0)) return;
   const double near = std::max(distance, 0.0);
   // The share of the lobe that it makes out at most (probe_level.comp), and how far the lobe is
   // from a straight line across it.
-  const double a2 = block.alpha * block.alpha, cosine = 1.0 - 0.5 * near * near;
+  const double a2 = tile.alpha * tile.alpha, cosine = 1.0 - 0.5 * near * near;
   const double a = a2 * (1.0 + cosine) + 1.0 - cosine, t = 4.0 / kPi * a2 * node.angle;
   const double r = std::sqrt(a * a + t), share = 0.5 * t / (r * (r + a));
   const double bend = node.extent * node.extent / (4.0 * a2 + near * near);
-  if (mip == 0 || share * bend < block.tolerance) {
+  if (mip == 0 || share * bend < tile.tolerance) {
     list.push_back(static_cast<std::uint32_t>(
         x + (y + ProbePlan::first_row(tree.size, static_cast<int>(mip))) * 65536));
     return;
   }
-  for (int i = 0; i < 4; ++i) collect(tree, block, mip - 1, 2 * x + i % 2, 2 * y + i / 2, list);
+  for (int i = 0; i < 4; ++i) collect(tree, tile, mip - 1, 2 * x + i % 2, 2 * y + i / 2, list);
 }
 
 }  // namespace
@@ -147,23 +147,25 @@ ProbePlan::ProbePlan(int size, const std::vector<int>& sides) {
   constexpr int kRoot = kMips - 1;
   // A place below all nodes: it has no solid angle, and so no weight.
   const auto none = static_cast<std::uint32_t>((2 * size - 1) * 65536);
-  first_block.push_back(0);
-  for (std::size_t level = 1; level < sides.size(); ++level) {
-    first_block.push_back(static_cast<int>(blocks.size()));
+  for (std::size_t level = 0; level < sides.size(); ++level) {
     const int side = sides[level];
     const double alpha = glsl::probe_alpha(static_cast<double>(level));
-    for (int y = 0; y < side; y += kRows) {
-      for (int x = 0; x < side; x += kColumns) {
+    if (level == 1) first_sum = static_cast<int>(tiles.size());
+    for (int y = 0; y < side; y += kTile) {
+      for (int x = 0; x < side; x += kTile) {
         for (const bool upper : {true, false}) {
-          const Block block = block_of(side, x, y, upper, alpha);
           const std::size_t first = lists.size();
-          for (int j = 0; j < size >> kRoot; ++j) {
-            for (int i = 0; i < 2 * size >> kRoot; ++i) {
-              collect(tree, block, kRoot, i, j, lists);
+          if (level > 0) {
+            const Tile tile = tile_of(side, x, y, upper, alpha);
+            for (int j = 0; j < size >> kRoot; ++j) {
+              for (int i = 0; i < 2 * size >> kRoot; ++i) {
+                collect(tree, tile, kRoot, i, j, lists);
+              }
             }
+            lists.resize((lists.size() + 3) / 4 * 4, none);
           }
-          lists.resize((lists.size() + 3) / 4 * 4, none);
-          blocks.emplace_back(first / 4, (lists.size() - first) / 4);
+          tiles.emplace_back(first / 4, (lists.size() - first) / 4, level,
+                             x | y << 12 | (upper ? 0 : 1) << 24);
         }
       }
     }

@@ -10,7 +10,8 @@ const int kProbeLevels = 13;  // of roughness: see lib/probe.glsl
 const int kProbeHarmonics = 10;
 
 struct ProbeData {
-  // x, y: first texel; z: texels per side of its two squares, above the level and, right of it, below
+  // x, y: first texel; z: texels per side of its two squares, above the level and, right of it, below;
+  // w: GGX width, 0 for the mirror
   vec4 levels[kProbeLevels];
   vec4 texel;          // x, y: size of a texel in texture coordinates
   vec4 irradiance[kProbeHarmonics];  // spherical harmonics (lib/probe.glsl), over the sky's level illuminance

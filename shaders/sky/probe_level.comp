@@ -1,5 +1,5 @@
 // A level of the probe: for each direction n the mean of what is seen, weighed by how much the facets about
-// n mirror of it (GGX seen along n, Karis 2013): a sum over the nodes that the plan lists for its block
+// n mirror of it (GGX seen along n, Karis 2013): a sum over the nodes that the plan lists for its tile
 // (engine/sky/probe_plan.h). No samples, and so no noise.
 //
 // Light from l is mirrored by the facets half way, whose slope is the tangent of half the angle between n
@@ -8,36 +8,32 @@
 // facets in a disc is that of a cap of that sphere, (1 - cos) / 2: exact for nodes wider than the lobe as
 // for narrow ones. With c = n.l, the node's solid angle W and T = 4 alpha^2 W / pi it is
 // T / (2 R (R + A)), A = alpha^2 (1 + c) + 1 - c - W / (2 pi), R = sqrt(A^2 + T).
+#include "sky/probe_tile.glsl"
 #include "lib/probe.glsl"
 
-layout(local_size_x = 8) in;  // ProbePlan::kColumns
+layout(local_size_x = 8) in;
 layout(rgba16f, binding = 0) uniform writeonly image2D map;
 layout(binding = 0) uniform sampler2D places;  // of nodes: see ProbePlan
 layout(binding = 1) uniform sampler2D seen;    // of nodes: radiance over the sky's level illuminance
 layout(binding = 2) uniform usampler2D lists;  // four nodes a texel
-layout(std430, binding = 1) readonly buffer Blocks { uvec2 blocks[]; };
-layout(location = 0) uniform ivec4 region;  // to make: first texel, texels per side, first row
-layout(location = 1) uniform int first_block;
-layout(location = 2) uniform float alpha;
 
-const int kRows = 8;  // ProbePlan::kRows: a node once read serves them all
+const int kRows = 8;  // of the tile: a node once read serves them all
 
 void main() {
-  ivec2 block = ivec2(gl_WorkGroupID.xy) + ivec2(0, region.w / kRows);
-  int half_of_map = int(gl_WorkGroupID.z), across = (region.z + 7) / 8;
-  uvec2 list = blocks[first_block + 2 * (block.y * across + block.x) + half_of_map];
-  int column = min(8 * block.x + int(gl_LocalInvocationID.x), region.z - 1), row = kRows * block.y;
+  ProbeTile tile = this_tile();
+  int column = min(tile.corner.x + int(gl_LocalInvocationID.x), tile.side - 1), row = tile.corner.y;
   vec3 n[kRows], sum[kRows];
   float weights[kRows];
   for (int k = 0; k < kRows; ++k) {
-    vec2 units = vec2(column, min(row + k, region.z - 1)) / float(region.z - 1);
-    n[k] = normalize(probe_direction(units, half_of_map == 0 ? 1.0 : -1.0));
+    vec2 units = vec2(column, min(row + k, tile.side - 1)) / float(tile.side - 1);
+    n[k] = normalize(probe_direction(units, tile.below ? -1.0 : 1.0));
     sum[k] = vec3(0.0);
     weights[k] = 0.0;
   }
+  float alpha = probe.levels[tile.level].w;
   float a2 = alpha * alpha, slope = a2 - 1.0;
-  int width = textureSize(lists, 0).x, first = int(list.x), last = int(list.x + list.y);
-  for (int i = first; i < last; ++i) {
+  int width = textureSize(lists, 0).x, last = tile.list.x + tile.list.y;
+  for (int i = tile.list.x; i < last; ++i) {
     uvec4 nodes = texelFetch(lists, ivec2(i % width, i / width), 0);
     for (int j = 0; j < 4; ++j) {
       ivec2 at = ivec2(nodes[j] & 65535u, nodes[j] >> 16);
@@ -53,9 +49,10 @@ void main() {
       }
     }
   }
+  ivec2 at = tile.origin + ivec2(column + (tile.below ? tile.side : 0), row);
   for (int k = 0; k < kRows; ++k) {
-    if (row + k < region.z) {
-      imageStore(map, region.xy + ivec2(column + half_of_map * region.z, row + k), vec4(sum[k] / weights[k], 1.0));
+    if (row + k < tile.side) {
+      imageStore(map, at + ivec2(0, k), vec4(sum[k] / weights[k], 1.0));
     }
   }
 }
