@@ -94,7 +94,7 @@ Pattern bubbles(int size) {
   return {size, std::move(values)};
 }
 
-// Floats, because a CPU renderer filters bytes more slowly.
+// Halves: a CPU renderer filters bytes more slowly, and floats fill its cache.
 gl::Texture texture_of(const char* label, GLenum format, GLenum channels, int size,
                        const std::vector<float>& values) {
   gl::Texture texture(
@@ -136,10 +136,10 @@ FoamPatterns make_foam_patterns() {
                           kStreakLines * pattern(0.125 * x, 0.625 * y + 0.125 * x) +
                           kStreakThreads * pattern(0.25 * x, 1.75 * y - 0.125 * x)};
   };
-  return {texture_of("sea.foam", GL_R32F, GL_RED, kBubbleTexels, pattern.values()),
-          texture_of("sea.foam_lace", GL_R32F, GL_RED, kFoamTexels,
+  return {texture_of("sea.foam", GL_R16F, GL_RED, kBubbleTexels, pattern.values()),
+          texture_of("sea.foam_lace", GL_R16F, GL_RED, kFoamTexels,
                      painted(kFoamTexels, kFoamLacePeriod, fine)),
-          texture_of("sea.foam_rows", GL_RG32F, GL_RG, kFoamTexels,
+          texture_of("sea.foam_rows", GL_RG16F, GL_RG, kFoamTexels,
                      painted(kFoamTexels, kFoamRowsPeriod, wide))};
 }
 

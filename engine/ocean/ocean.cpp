@@ -13,6 +13,8 @@
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/ocean.h"
 
+#define OFFING_GLSL "shaders/lib/crest.glsl"
+#include "engine/core/glsl_double.h"
 #define OFFING_GLSL "shaders/lib/water.glsl"
 #include "engine/core/glsl_double.h"
 
@@ -21,9 +23,6 @@ namespace {
 
 constexpr double kAtOnce = std::numeric_limits<double>::infinity();
 constexpr double kFoamLength = 7.3;  // m across the wind; no multiple of a cascade's length
-
-/// Foam lies in rows from force 7 on, all over the sea at force 10.
-double streaks(double wind) { return std::clamp((wind - 13.0) / 13.0, 0.0, 1.0); }
 
 double fraction(double x) { return x - std::floor(x); }
 
@@ -35,11 +34,8 @@ ShaderDefines mesh_defines(const OceanSettings& settings, bool hull, bool two_si
   return defines;
 }
 
-ShaderDefines surface_defines(const OceanSettings& settings, bool hull, bool squalls) {
+ShaderDefines surface_defines(const OceanSettings& settings) {
   ShaderDefines defines{{"CASCADES", std::to_string(settings.cascades)}};
-  if (hull) defines.emplace_back("HULL", "");
-  if (hull && settings.quality > 0) defines.emplace_back("HULL_SHADOW", "");
-  if (squalls) defines.emplace_back("SQUALLS", "");
   if (settings.quality <= 0) {
     defines.emplace_back("PICK_LEVELS", "");
     defines.emplace_back("RIPPLES", "");
@@ -101,15 +97,25 @@ Ocean::Ocean(ShaderLibrary& shaders, const OceanSettings& settings)
       spray_(shaders, settings.quality),
       underwater_(shaders, settings.quality) {
   make_grid();
-  surface_program(false, false);
-  surface_program(true, false);
+  surface_program({.hull = false, .squalls = false, .streaks = false, .clouds = true});
+  surface_program({.hull = true, .squalls = false, .streaks = false, .clouds = true});
 }
 
-const ShaderProgram& Ocean::surface_program(bool hull, bool squalls) {
-  const ShaderProgram*& program = surface_[hull ? 1 : 0][squalls ? 1 : 0];
+const ShaderProgram& Ocean::surface_program(const Shows& shows) {
+  // A GPU leaves out what an `if` says: no need of programs without streaks or clouds.
+  const bool all = !gl::current_renderer().software;
+  const bool streaks = shows.streaks || all, clouds = shows.clouds || all;
+  const unsigned key =
+      (shows.hull ? 1u : 0u) | (shows.squalls ? 2u : 0u) | (streaks ? 4u : 0u) | (clouds ? 8u : 0u);
+  const ShaderProgram*& program = surface_[key];
   if (program == nullptr) {
-    program = &shaders_.program({"ocean/surface.vert", "ocean/surface.frag"},
-                                surface_defines(settings_, hull, squalls));
+    ShaderDefines defines = surface_defines(settings_);
+    if (shows.hull) defines.emplace_back("HULL", "");
+    if (shows.hull && settings_.quality > 0) defines.emplace_back("HULL_SHADOW", "");
+    if (shows.squalls) defines.emplace_back("SQUALLS", "");
+    if (streaks) defines.emplace_back("STREAKS", "");
+    if (clouds) defines.emplace_back("CLOUDS", "");
+    program = &shaders_.program({"ocean/surface.vert", "ocean/surface.frag"}, defines);
   }
   return *program;
 }
@@ -253,6 +259,8 @@ SeaIds Ocean::add_maps(FrameGraph& graph, double time, bool readback) {
   return ids;
 }
 
+double Ocean::streaks() const { return std::clamp((wind_speed_ - 13.0) / 13.0, 0.0, 1.0); }
+
 void Ocean::update_block(const OceanView& view) {
   shared::OceanData data{};
   for (std::size_t c = 0; c < cascades_.size(); ++c) {
@@ -284,7 +292,7 @@ void Ocean::update_block(const OceanView& view) {
                                    foam_law_.softness));
   data.foam_share =
       glm::vec4(glm::dvec4(white_share_, std::max(white_share_ / foam_law_.breaking, 1.0),
-                           foam_law_.variance, streaks(wind_speed_)));
+                           foam_law_.variance, streaks()));
   for (int layer = 0; layer < shared::kFoamLayers; ++layer) {
     const double width = foam_map_.width(layer);
     data.foam_map[layer] = glm::vec4(
@@ -315,9 +323,8 @@ void Ocean::update_block(const OceanView& view) {
   // and back, .54.
   data.body = rgb(0.54 * 0.33 / kPi * body.backscatter / (body.absorption + body.backscatter));
   data.plume = rgb(glm::exp(-1.2 * extinction));
-  // Most scattering turns light by little, and it goes on: of b some .15 is lost to the way.
-  const glm::dvec3 loss = body.absorption + 0.15 * body.scattering;
-  data.crest_loss = rgb(loss);
+  const glm::dvec3 loss = body.absorption + glsl::kScatteringLost * body.scattering;
+  data.crest_loss = rgb(loss, body.scattering.y);
   data.crest_gain = rgb(0.5 / (glsl::kWaterIndex * glsl::kWaterIndex) * body.scattering / loss);
   data.hull_loss = rgb(body.absorption + 12.0 * body.backscatter);
   block_.write(data);

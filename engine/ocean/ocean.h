@@ -49,6 +49,7 @@ struct OceanView {
   double eye_height = 2.0;                     ///< above the mean sea level, m
   double time = 0.0;                           ///< the sea's clock, s; foam grows older by it
   bool hull_in_view = false;                   ///< something stands in the water where one looks
+  bool clouds = true;                          ///< there are some, whose shadow may fall on it
   double gusts = 0.0;                          ///< strength, 0 to 1
   glm::dvec2 gust_origin{0.0};                 ///< where the gust field's origin lies now, m
   std::shared_ptr<const SquallField> squalls;  ///< none if null
@@ -123,13 +124,19 @@ class Ocean {
 
  private:
   void make_grid();
-  /// The picture's: with a hull that may show through the water, and under rain. Made when first
-  /// asked for.
-  const ShaderProgram& surface_program(bool hull, bool squalls);
+  /// What a picture of the sea shows or not: each has its program, since a CPU renderer works on
+  /// what an `if` leaves out.
+  struct Shows {
+    bool hull, squalls, streaks, clouds;
+  };
+  /// The picture's program, made when first asked for.
+  const ShaderProgram& surface_program(const Shows& shows);
   void show(Sea sea);
   void choose_queries(int method);
   void fade(double time);
   std::shared_ptr<const QueryWaves> query_waves(std::span<const Cascade> cascades) const;
+  /// Foam lies in rows from force 7 on, all over the sea at force 10: 0 to 1.
+  double streaks() const;
   void update_block(const OceanView& view);
   void bind_surface(const PassContext& context, const SeaIds& sea) const;
   void show_squalls(const std::shared_ptr<const SquallField>& squalls);
@@ -148,10 +155,10 @@ class Ocean {
   SeaWater water_;
   SeaMesh mesh_;
   const ShaderProgram& mesh_program_;
-  const ShaderProgram& mesh_about_hull_;         ///< leaves its inside dry
-  const ShaderProgram& two_sided_mesh_program_;  ///< tells from which side water is seen
-  std::array<std::array<const ShaderProgram*, 2>, 2> surface_{};  ///< see surface_program()
-  const ShaderProgram& horizon_;                                  ///< the sky's strip
+  const ShaderProgram& mesh_about_hull_;            ///< leaves its inside dry
+  const ShaderProgram& two_sided_mesh_program_;     ///< tells from which side water is seen
+  std::array<const ShaderProgram*, 16> surface_{};  ///< see surface_program()
+  const ShaderProgram& horizon_;                    ///< the sky's strip
   gl::Buffer vertices_, indices_, squares_, block_;
   gl::VertexArray array_, no_vertices_;
   gl::Sampler map_sampler_, level_sampler_, foam_sampler_;

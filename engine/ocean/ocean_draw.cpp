@@ -195,7 +195,10 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
   add_hull(graph, hdr, hull, hull_shows);
   const TextureId horizon = add_horizon(graph, sky, !nothing_in_view && !submerged);
 
-  const ShaderProgram& program = surface_program(hull_shows, view.squalls && view.squalls->any());
+  const ShaderProgram& program = surface_program({.hull = hull_shows,
+                                                  .squalls = view.squalls && view.squalls->any(),
+                                                  .streaks = streaks() > 0.0,
+                                                  .clouds = view.clouds});
 
   graph.add(
       "sea.draw",

@@ -51,6 +51,7 @@ OceanView ocean_view(const FrameView& view, const Techniques& t, Lens lens) {
   sea.eye_height = view.camera.y;
   sea.time = view.sea_time;
   sea.hull_in_view = t.boat.in_view(view.boat, view.frame);
+  sea.clouds = view.clouds.weather.cover > 0.0;
   sea.gusts = view.frame.wind.y;
   sea.gust_origin = view.gust_origin;
   sea.squalls = view.squalls;

@@ -15,11 +15,13 @@ float probe_alpha(float level) {
   return level < 2.0 ? kProbeSharpest * pow(kProbeKnee / kProbeSharpest, level - 1.0)
                      : pow(kProbeKnee, (kProbeLast - level) / (kProbeLast - 2.0));
 }
+float probe_level_rough(float alpha) {  // of lobes wider than the knee, which is level 2
+  return 2.0 + (kProbeLast - 2.0) * (1.0 - log(max(alpha, kProbeKnee)) / log(kProbeKnee));
+}
 float probe_level(float alpha) {
   float blur = clamp(alpha / kProbeSharpest, 0.0, 1.0);
   float sharp = log(clamp(alpha, kProbeSharpest, kProbeKnee) / kProbeSharpest) / log(kProbeKnee / kProbeSharpest);
-  float rough = 1.0 - log(max(alpha, kProbeKnee)) / log(kProbeKnee);
-  return blur * sqrt(blur) + sharp + (kProbeLast - 2.0) * rough;
+  return blur * sqrt(blur) + sharp + probe_level_rough(alpha) - 2.0;
 }
 
 // Place of a direction (unit) in its square, 0 to 1.

@@ -103,7 +103,10 @@ float visible_share(float level, float width) {
 // Share of scattered light that sea water turns into a direction, 1/sr, by the cosine of the angle that it
 // is turned by: a fit, from 10 to 90 degrees, to Petzold's mean of measured particles as Mobley et al.
 // tabulate it ("Comparison of numerical models for computing underwater light fields", Appl. Opt. 32, 1993).
-float sea_water_phase(float cosine) { return 0.00463 * pow(1.0151 - cosine, -1.559); }
+float sea_water_phase(float cosine) {
+  float x = inversesqrt(1.015 - cosine);
+  return x * x * (0.00576 * x - 0.00121);
+}
 
 // Probability density of a slope, normal with the covariance xx, zz, xz (Cox & Munk 1954 without
 // their skewness).

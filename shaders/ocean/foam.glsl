@@ -121,10 +121,10 @@ Foam sea_foam(vec2 q, float size, float jacobian, float unresolved) {
     foam.cover = cover.x;
     foam.opacity = mix(cover.x * mix(0.22, 0.85, dense.x), mix(0.75, 1.0, dense.y), cover.y);
     foam.relief = 1.56 * lace;
-    if (ocean.foam_share.w > 0.0) {
-      float streaks = foam_streaks(rows.g + 0.47 * lace, fineness, plume, left.y);
-      foam.opacity = mix(foam.opacity, 1.0, streaks * (1.0 - foam.cover));
-    }
+#ifdef STREAKS
+    float streaks = foam_streaks(rows.g + 0.47 * lace, fineness, plume, left.y);
+    foam.opacity = mix(foam.opacity, 1.0, streaks * (1.0 - foam.cover));
+#endif
   }
   foam.opacity = clamp(foam.opacity, 0.0, 1.0);
   return foam;

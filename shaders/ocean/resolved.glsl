@@ -10,6 +10,19 @@ struct Surface {
   float unresolved; // share of its variance within the pixel
 };
 
+// How water is sheared, Dxz. Low reads it by chance from one point of the map: only its products count, and
+// are small.
+float sea_shear(vec3 place, float level) {
+#ifdef PICK_LEVELS
+  int across = textureSize(sea_displacement, int(level)).x;
+  vec2 die = vec2(sea_die(), fract(5.0 * sea_die()));
+  ivec2 point = ivec2(floor(place.xy * float(across) + die - 0.5)) & (across - 1);
+  return texelFetch(sea_displacement, ivec3(point, int(place.z)), int(level)).w;
+#else
+  return textureLod(sea_displacement, place, level).w;
+#endif
+}
+
 // Adds what a cascade has to the derivatives sx, sz, Dxx, Dzz and, for waves that can break, Dxx, Dzz, Dxz.
 void add_cascade(int c, vec2 parameter, float size, inout vec4 sum, inout vec3 squeeze) {
   float level = sea_map_level_log2(c, size);
@@ -22,7 +35,7 @@ void add_cascade(int c, vec2 parameter, float size, inout vec4 sum, inout vec3 s
   sum += slopes;
   // Ripples are too low for their shear to turn a slope.
   if (c < kMostBreaking) {
-    float sheared = share * textureLod(sea_displacement, place, level).w;
+    float sheared = share * sea_shear(place, level);
     squeeze += float(c) < ocean.foam.z ? vec3(slopes.zw, sheared) : vec3(0.0);
   }
 }

@@ -3,6 +3,7 @@
 // slope covariance, and everything here is a mean over the facets that this covariance describes.
 #include "shared/frame.h"
 #include "shared/ocean.h"
+#include "lib/crest.glsl"
 #include "lib/water.glsl"
 #include "sky/probe.glsl"
 #include "clouds/shadow.glsl"
@@ -36,9 +37,6 @@ layout(binding = OFFING_UNIT_SQUALLS) uniform sampler2D squalls;
 
 const float kFoamAlbedo = 0.55;  // fresh whitecaps, Koepke 1984
 const float kBackSlope = 0.3;     // of a steep wave's far side
-// Light turned by 40 to 60 degrees in some metres of water over what one turn alone brings there (estimated for
-// b way = 1, where half of it has been turned again).
-const float kScatteredAgain = 1.8;
 const float kPlumeAlbedo = 0.12;  // of clouds of bubbles under them (by eye)
 
 // Ripples answer a gust at once, and steeply: their growth goes with the square of the wind's pull (Plant
@@ -119,9 +117,10 @@ vec3 through_crest(vec2 slope, vec3 view, vec3 light, vec3 direct, vec3 from_sky
   // Width of the crest at this height: no crest stands much over .55 Hs.
   float below_top = max(0.55 * ocean.water.x - height, 0.05);
   float width = below_top * (1.0 / max(-dot(slope, view.xz), 0.1) + 1.0 / kBackSlope);
-  vec3 left = exp(-ocean.crest_loss.rgb * min(width, 60.0));
+  width = min(width, 60.0);
+  vec3 left = exp(-ocean.crest_loss.rgb * width);
   float toward = clamp(-4.0 * dot(view.xz, ahead), 0.0, 1.0);  // the light is beyond the crest
-  float turned = kScatteredAgain * sea_water_phase(-dot(beam, seen)) * lit * toward;
+  float turned = crest_turned_again(ocean.crest_loss.w * width) * sea_water_phase(-dot(beam, seen)) * lit * toward;
   return left * ocean.crest_gain.rgb * (direct * turned + from_sky * 0.012);
 }
 
@@ -137,7 +136,10 @@ vec3 sea_radiance(vec4 seen) {
 
   vec3 light = light_time.xyz;
   vec3 water = -view * distance;
-  vec3 direct = direct_exposure.rgb * cloud_shadow(water);
+  vec3 direct = direct_exposure.rgb;
+#ifdef CLOUDS
+  direct *= cloud_shadow(water);
+#endif
   vec3 into = direct;  // the part of it that lights what lies deep
 #ifdef HULL_SHADOW
   into *= hull_shade_below(water, view, light);

@@ -6,6 +6,7 @@
 #include "sky/sky.glsl"
 #include "sky/probe.glsl"
 #include "ocean/surface.glsl"
+#define STREAKS
 #include "ocean/foam.glsl"
 #include "ocean/underwater.glsl"
 #include "ocean/surface_below.glsl"

@@ -42,7 +42,7 @@ struct OceanData {
   // Water by linear RGB.
   vec4 body;          // rgb: radiance of the depths over the illuminance that falls on them
   vec4 plume;         // rgb: light left by 1.2 m of it
-  vec4 crest_loss;    // rgb: K, what light loses on its way through a crest (1/m)
+  vec4 crest_loss;    // rgb: K, what light loses on its way through a crest (1/m); w: what is scattered of green
   vec4 crest_gain;    // rgb: b / (2 K n^2)
   vec4 hull_loss;     // rgb: what light from a hull under the surface loses (1/m)
 };

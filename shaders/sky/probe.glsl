@@ -38,9 +38,10 @@ vec3 probe_radiance(vec3 direction, float roughness) {
                     direction, roughness);
 }
 
-// One of the two levels that make up probe_radiance(), by chance in proportion; `die`: even over 0 … 1.
+// One of the two levels that make up probe_radiance(), by chance in proportion; `die`: even over 0 … 1. For
+// surfaces no smoother than a sea without wind.
 vec3 probe_radiance_picked(vec3 direction, float roughness, float die) {
-  int level = min(int(probe_level(min(roughness * roughness, 1.0)) + die), kProbeLevels - 1);
+  int level = min(int(probe_level_rough(min(roughness * roughness, 1.0)) + die), kProbeLevels - 1);
   return with_flash(frame.sky_illuminance.rgb *
                         probe_read(level, probe_units(direction), direction.y < 0.0 ? 1.0 : 0.0),
                     direction, roughness);
