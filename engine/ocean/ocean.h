@@ -83,10 +83,11 @@ class Ocean {
   /// (radiance × exposure) and `depth` (reversed). The frame's FrameData must be bound when the
   /// graph runs. They do not run where not `visible`. Nothing is drawn inside a hull: `dry`, a
   /// picture of the same size, holds 1 / distance to its near side and the distance to its far
-  /// side. What it returns is for add_underwater().
+  /// side. `solid`: the depth of what was drawn before, read where the lens is not dry. What it
+  /// returns is for add_underwater().
   UnderwaterIds add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
-                         const LightAccess& sky, TextureId dry, TextureId hdr, TextureId depth,
-                         bool visible);
+                         const LightAccess& sky, TextureId dry, TextureId solid, TextureId hdr,
+                         TextureId depth, bool visible);
   /// Adds the spray of breaking crests over all that is drawn but the view from the water.
   void add_spray(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
                  const LightAccess& sky, TextureId hdr, TextureId depth, bool visible);

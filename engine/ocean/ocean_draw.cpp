@@ -165,8 +165,8 @@ TextureId Ocean::add_horizon(FrameGraph& graph, const LightAccess& sky, bool vis
 }
 
 UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const SeaIds& sea,
-                              const LightAccess& sky, TextureId dry, TextureId hdr, TextureId depth,
-                              bool visible) {
+                              const LightAccess& sky, TextureId dry, TextureId solid, TextureId hdr,
+                              TextureId depth, bool visible) {
   const bool wet = view.lens != Lens::kDry;
   const bool submerged = view.lens == Lens::kSubmerged;
   std::vector<SeaMesh::Square> squares;
@@ -181,8 +181,7 @@ UnderwaterIds Ocean::add_draw(FrameGraph& graph, const OceanView& view, const Se
   const TextureId hull = graph.create("sea.hull", seen_desc);
   seen_desc.format = GL_RGBA32F;
   const TextureId seen = graph.create("sea.seen", seen_desc);
-  UnderwaterIds ids{.lens = view.lens, .solid = {}, .below = seen, .beyond = {}};
-  ids.solid = underwater_.add_solid(graph, depth, wet);
+  UnderwaterIds ids{.lens = view.lens, .solid = solid, .below = seen, .beyond = {}};
   const TextureId foam = add_foam(graph, view, sea, !nothing_in_view || wet);
 
   add_mesh(graph, view, sea, std::move(squares), dry, seen, depth);

@@ -101,21 +101,6 @@ Underwater::Underwater(ShaderLibrary& shaders, int quality)
   }
 }
 
-TextureId Underwater::add_solid(FrameGraph& graph, TextureId depth, bool wet) const {
-  const TextureId solid = graph.create("sea.solid", graph.desc(depth));
-  graph.add(
-      "sea.solid",
-      [&](PassBuilder& pass) {
-        pass.read(depth, Access::kTransfer).write(solid, Access::kTransfer).skip_if(!wet);
-      },
-      [depth, solid](const PassContext& context) {
-        const gl::Texture& from = context.texture(depth);
-        glCopyImageSubData(from.id(), GL_TEXTURE_2D, 0, 0, 0, 0, context.texture(solid).id(),
-                           GL_TEXTURE_2D, 0, 0, 0, 0, from.width(), from.height(), 1);
-      });
-  return solid;
-}
-
 TextureId Underwater::add_split(FrameGraph& graph, const SurfaceAccess& surface, TextureId seen,
                                 UnderwaterIds* ids) const {
   gl::TextureDesc line = graph.desc(seen);

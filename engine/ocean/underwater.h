@@ -64,8 +64,6 @@ class Underwater {
   /// `quality` 0 (low) to 3 (ultra): the fineness of caustics and shafts.
   Underwater(ShaderLibrary& shaders, int quality);
 
-  /// Adds sea.solid: keeps the depth of what is drawn so far.
-  TextureId add_solid(FrameGraph& graph, TextureId depth, bool wet) const;
   /// Adds sea.split, which gives each pixel of a crossing lens to the air or the water. Returns
   /// what the air sees of the surface, and sets the rest in `ids`; other lenses see `seen` as it
   /// is.

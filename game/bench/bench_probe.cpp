@@ -21,11 +21,11 @@
 namespace offing {
 namespace {
 
-constexpr int kQueries = 256, kBruteForce = 4096, kTimed = 3;
+constexpr int kQueries = 256, kBruteForce = 4096, kTimed = 3, kRounds = 8;
 
 struct Measure {
   double whole_ms = 0.0;                ///< one whole refresh
-  double cpu_ms = 0.0;                  ///< of the thread that draws, for a slice: median
+  double cpu_ms = 0.0;                  ///< of the thread that draws, for the median slice
   double largest_slice_ms = 0.0;        ///< the dearest frame of a refresh in slices
   std::vector<double> error_of_levels;  ///< by roughness 0, 0.1 … 1
   double irradiance_error = 0.0;
@@ -89,22 +89,23 @@ class Stage {
   }
 
   /// What a frame with a slice takes while the sun turns about the zenith, so that the probe is
-  /// refreshed slice by slice and the sky's tables stand. `cpu_ms` is the time of the thread that
-  /// draws, in the median frame: to declare the passes, to run the graph, and what the driver does
-  /// in its calls; less what the same frame takes while the sun stands. Mesa's software renderer
-  /// draws on other threads, and their time is not in this.
+  /// refreshed slice by slice and the sky's tables stand; of each slice the least of some rounds,
+  /// as others use the machine too. `cpu_ms` is the time of the thread that draws, in the median
+  /// slice: to declare the passes, to run the graph, and what the driver does in its calls; less
+  /// what the same frame takes while the sun stands. Mesa's software renderer draws on other
+  /// threads, and their time is not in this.
   void measure_slices(int size, double elevation_deg, Measure& measure) {
     Probe probe(shaders_, {.size = size});
     const int slices = probe.settings().slices;
-    std::vector<double> turning, standing;
-    std::vector<double> whole(static_cast<std::size_t>(slices), 1e9);
-    for (int frame = 0; frame < kTimed * slices + 1; ++frame) {
+    std::vector<double> standing;
+    std::vector<double> turning(static_cast<std::size_t>(slices), 1e9), whole = turning;
+    for (int frame = 0; frame < kRounds * slices + 1; ++frame) {
       set_sun(elevation_deg, 240.0 + 0.02 * frame);
       const Spent spent = use(probe);
       if (frame == 0) continue;  // made whole
-      turning.push_back(spent.cpu_ms);
-      double& least = whole[static_cast<std::size_t>((frame - 1) % slices)];
-      least = std::min(least, spent.ms);
+      const auto slice = static_cast<std::size_t>((frame - 1) % slices);
+      turning[slice] = std::min(turning[slice], spent.cpu_ms);
+      whole[slice] = std::min(whole[slice], spent.ms);
     }
     for (int frame = 0; frame < 3 * slices; ++frame) {
       const Spent spent = use(probe);

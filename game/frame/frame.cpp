@@ -34,6 +34,22 @@ void add_begin(FrameGraph& graph, const FrameView& view, const gl::Buffer& frame
       });
 }
 
+/// Adds frame.solid: the depth of what is drawn so far, before the sea covers it.
+TextureId add_solid(FrameGraph& graph, TextureId depth, bool needed) {
+  const TextureId solid = graph.create("solid", graph.desc(depth));
+  graph.add(
+      "frame.solid",
+      [&](PassBuilder& pass) {
+        pass.read(depth, Access::kTransfer).write(solid, Access::kTransfer).skip_if(!needed);
+      },
+      [depth, solid](const PassContext& context) {
+        const gl::Texture& from = context.texture(depth);
+        glCopyImageSubData(from.id(), GL_TEXTURE_2D, 0, 0, 0, 0, context.texture(solid).id(),
+                           GL_TEXTURE_2D, 0, 0, 0, 0, from.width(), from.height(), 1);
+      });
+  return solid;
+}
+
 Lens lens(const FrameView& view, const Ocean& ocean) {
   std::array<glm::vec3, 4> near;
   for (std::size_t i = 0; i < near.size(); ++i) {
@@ -105,7 +121,9 @@ Techniques::Techniques(ShaderLibrary& shaders, const Quality& quality,
       exposure(shaders),
       bloom(shaders),
       tonemap(shaders),
-      frame_block("frame", sizeof(shared::FrameData)) {}
+      frame_block("frame", sizeof(shared::FrameData)) {
+  if (quality.level > 0) antialias.emplace(shaders);
+}
 
 FramePictures::FramePictures(glm::ivec2 size)
     : hdr("hdr", {.format = GL_RGBA16F, .width = size.x, .height = size.y}),
@@ -137,9 +155,10 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
   const TextureId hull = t.boat.add_mask(graph, view.boat, view.frame);
   t.boat.add(graph, view.boat, view.frame, light, hdr, depth);
   t.flotsam.add(graph, view.flotsam, view.frame, light, hdr, depth);
+  const TextureId solid = add_solid(graph, depth, wet != Lens::kDry || t.antialias);
   const OceanView at_sea = ocean_view(view, t, wet);
   const UnderwaterIds under =
-      t.ocean.add_draw(graph, at_sea, sea, light, hull, hdr, depth, view.sea_visible);
+      t.ocean.add_draw(graph, at_sea, sea, light, hull, solid, hdr, depth, view.sea_visible);
   t.sky.add_background(graph, view.light, sky, hdr, depth, sky_visible);
   t.gardner.add(graph, gardner, view.light, t.sky, sky, hdr, depth);
   t.clouds.add_picture(graph, clouds, view.clouds, cloud_camera(view), t.sky, sky, hdr, depth,
@@ -159,6 +178,7 @@ TextureId build_frame(FrameGraph& graph, const FrameView& view, Techniques& t,
                  .exposure = view.light.exposure,
                  .glow_share = glare},
                 exposure, glow);
+  if (t.antialias) t.antialias->add(graph, solid, depth, display);
   return display;
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 #include <filesystem>
+#include <optional>
+
 #include "engine/clouds/clouds.h"
 #include "engine/clouds/gardner.h"
-
 #include "engine/gl/buffer.h"
 #include "engine/gl/texture.h"
 #include "engine/graph/frame_graph.h"
 #include "engine/ocean/ocean.h"
+#include "engine/post/antialias.h"
 #include "engine/post/bloom.h"
 #include "engine/post/exposure.h"
 #include "engine/post/tonemap.h"
@@ -38,7 +40,8 @@ struct Techniques {
   Exposure exposure;
   Bloom bloom;
   Tonemap tonemap;
-  gl::Buffer frame_block;  ///< shared::FrameData
+  std::optional<Antialias> antialias;  ///< from medium on
+  gl::Buffer frame_block;              ///< shared::FrameData
 };
 
 /// What a frame draws into; outlives it, so that it can be looked at and kept.

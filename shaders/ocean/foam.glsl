@@ -64,8 +64,9 @@ float foam_streaks(float pattern, float fineness, float thin, float left) {
   float unseen = dot(kWeights, vec3(1.0) - foam_pattern_left(fineness + vec3(-3.0, -1.3, -0.2)));
   unseen += kStreakLace * kStreakLace * (1.0 - left) + 0.05;
   float over = pattern - 1.02 * normal_point(share);
-  // Faint at the rim.
-  return kStreakOpacity * normal_below(over * inversesqrt(unseen)) * clamp(0.35 + over, 0.35, 1.0);
+  // They come by and by, well marked from force 8 on; faint at the rim.
+  float marked = min(2.5 * ocean.foam_share.w, 1.0);
+  return marked * kStreakOpacity * normal_below(over * inversesqrt(unseen)) * clamp(0.35 + over, 0.35, 1.0);
 }
 
 // What a pixel sees of foam.

@@ -93,7 +93,7 @@ TEST_F(Frame, NoSkyIsDrawnForAnEyeThatLooksDown) {
   EXPECT_EQ(row("sea.draw").ran, 3);
 }
 
-constexpr const char* kWetPasses[] = {"sea.solid", "sea.split", "sea.caustics", "sea.relight",
+constexpr const char* kWetPasses[] = {"frame.solid", "sea.split", "sea.caustics", "sea.relight",
                                       "sea.underwater"};
 
 TEST_F(Frame, WaterCostsNothingWhileTheLensIsDry) {

@@ -73,6 +73,32 @@ TEST(Ephemeris, TheMoonCoversTheSunOffACorunaInAugust2026) {
   EXPECT_GT(separation_arcmin("18:36"), margin_arcmin);
 }
 
+TEST(Ephemeris, OtherEclipsesBeginAndEndWhenTheyDid) {
+  struct Eclipse {
+    const char *date, *begins, *ends;  // second and third contact, as published for the place
+    double latitude, longitude;
+    bool total;  // or a ring of sun is left
+  };
+  for (const Eclipse& e :
+       {Eclipse{"2006-03-29", "10:54:54", "10:58:37", 36.767, 31.39, true},      // Side
+        Eclipse{"2017-08-21", "18:20:12", "18:22:50", 37.727, -89.217, true},    // Carbondale
+        Eclipse{"2023-10-14", "16:34:34", "16:39:22", 35.084, -106.65, false},   // Albuquerque
+        Eclipse{"2024-04-08", "18:40:43", "18:44:35", 32.7767, -96.797, true}})  // Dallas
+  {
+    const auto within = [&](double seconds) {
+      const CelestialState s = celestial_state(seconds, e.latitude, e.longitude);
+      const double apart = degrees(std::acos(glm::dot(s.sun.direction(), s.moon.direction())));
+      const double wider = s.moon.radius_deg - s.sun.radius_deg;
+      return apart < (e.total ? wider : -wider);
+    };
+    constexpr double kSeconds = 20.0;  // the moon's limb is not round, its radius a convention
+    EXPECT_FALSE(within(utc(e.date, e.begins) - kSeconds)) << e.date;
+    EXPECT_TRUE(within(utc(e.date, e.begins) + kSeconds)) << e.date;
+    EXPECT_TRUE(within(utc(e.date, e.ends) - kSeconds)) << e.date;
+    EXPECT_FALSE(within(utc(e.date, e.ends) + kSeconds)) << e.date;
+  }
+}
+
 // The Astronomical Almanac's low-precision formulas ("page C5" and "page D46"), which share nothing
 // with the series used: sun to 0.01 degrees, moon to about 0.3.
 struct Almanac {
