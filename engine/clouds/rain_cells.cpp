@@ -33,8 +33,7 @@ double rain_at(const std::vector<std::uint8_t>& patterns, const Clouds& weather,
   const double cells = pattern_at(patterns, at + offsets.cells, 0);
   const double finer = pattern_at(patterns, 2.0 * glm::dvec2(at.y, at.x) + offsets.finer, 0);
   const double fronts = pattern_at(patterns, at + offsets.fronts, 1);
-  const double coverage =
-      glsl::weather_coverage(cells, finer, fronts, weather.cover, weather.precipitation);
+  const double coverage = glsl::weather_coverage(cells, finer, fronts, weather.cover);
   return coverage > 1.0 - weather.cover
              ? glsl::weather_rain(coverage, fronts, weather.precipitation)
              : 0.0;

@@ -42,6 +42,7 @@ CloudColumn cloud_column(vec2 plan) {
 // A place in its column: all that needs no noise.
 struct CloudPlace {
   CloudKind kind;
+  float storm;
   float base;     // m over the sea
   float x;        // height within the cloud, 0 … 1
   float inside;   // > 0 inside an edge without noise, in units of the kind's `full`
@@ -52,8 +53,8 @@ struct CloudPlace {
 CloudPlace cloud_place_in(CloudPlace place, float excess, float altitude) {
   place.x = (altitude - place.base) / (place.kind.thickness * clouds.form.w);
   place.inside = cloud_strength(place.kind, excess) - clouds.form.x -
-                 cloud_outline(place.kind, place.x);
-  place.freedom = place.kind.roughness * clouds.form.y * cloud_freedom(place.kind, place.x);
+                 cloud_outline(place.kind, place.storm, place.x);
+  place.freedom = place.kind.roughness * clouds.form.y * cloud_freedom(place.x);
   return place;
 }
 
@@ -63,6 +64,7 @@ CloudPlace cloud_place(vec3 p) {
   place.plan = cloud_unsheared(p, altitude);
   CloudColumn column = cloud_column(place.plan);
   place.kind = cloud_kind(column.type, column.rain);
+  place.storm = column.rain * column.rain * column.type;
   place.base = column.base;
   return cloud_place_in(place, column.excess, altitude);
 }

@@ -22,11 +22,12 @@ void main() {
       value = max(value, texelFetch(weather, (cell * side + ivec2(i, j) + size) % size, 0));
   }
   CloudKind kind = cloud_kind(value.g, value.a);
+  float storm = value.a * value.a * value.g;
   float strength = cloud_strength(kind, value.r - form.x) - form.y;
   float top = 0.0;
   for (int i = 0; i < kHeights; ++i) {
     float x = 1.06 * float(i) / float(kHeights);
-    float inside = strength + 0.5 * kind.roughness * form.z * cloud_freedom(kind, x) - cloud_outline(kind, x);
+    float inside = strength + 0.5 * kind.roughness * form.z * cloud_freedom(x) - cloud_outline(kind, storm, x);
     top = inside > 0.0 ? x + 1.06 / float(kHeights) : top;
   }
   // Rounded up.

@@ -20,7 +20,7 @@ void main() {
   float fronts = textureLod(patterns, at + offsets[1].xy, 0.0).g;
   vec4 patches = textureLod(patterns, at + offsets[1].zw, 0.0);
   vec4 made;
-  made.r = weather_coverage(cells.r, finer, fronts, state.x, state.z);
+  made.r = weather_coverage(cells.r, finer, fronts, state.x);
   made.g = clamp(state.y + 0.30 * (patches.a - 0.5) * min(4.0 * state.y * (1.0 - 0.6 * state.y), 1.0), 0.0, 1.0);
   made.b = patches.b;
   made.a = weather_rain(made.r, fronts, state.z);

@@ -19,7 +19,6 @@ struct CloudKind {
   float round_from;  // height x from which on it narrows
   float round_sharply;  // 0: narrows with the square of the height from there, 1: with its power 1.5
   float extinction;  // over that of a dense cumulus (stratus .04–.06 /m, cumulus .05–.12 /m measured)
-  float storm;       // 0 … 1: how much of a cumulonimbus it is
 };
 
 float cloud_blend(float a, float b, float c, float type) {
@@ -28,16 +27,13 @@ float cloud_blend(float a, float b, float c, float type) {
 }
 
 const float kStormThickness = 8000.0;
-const float kAnvil = -0.6;  // its outline
 
 CloudKind cloud_kind(float type, float rain) {
   CloudKind kind;
-  // Full-grown well beyond the heaviest rain, or there would be no room for an anvil.
-  float storm = type * smoothstep(0.2, 0.6, rain);
-  kind.storm = storm;
+  float storm = rain * rain * type;
   kind.thickness = mix(cloud_blend(260.0, 520.0, 1050.0, type), kStormThickness, storm);
-  kind.full = mix(cloud_blend(0.12, 0.20, 0.34, type), 0.40, storm);
-  kind.roughness = mix(cloud_blend(2.0, 1.5, 1.35, type), 1.1, storm);
+  kind.full = mix(cloud_blend(0.12, 0.20, 0.34, type), 0.65, storm);
+  kind.roughness = mix(cloud_blend(2.0, 1.5, 1.35, type), 0.5, storm);
   kind.bottom = mix(cloud_blend(0.25, 0.16, 0.05, type), 0.012, storm);
   kind.round_from = cloud_blend(0.55, 0.30, 0.04, type);
   kind.round_sharply = cloud_blend(0.0, 0.3, 0.9, type);
@@ -45,22 +41,15 @@ CloudKind cloud_kind(float type, float rain) {
   return kind;
 }
 
-// Share of a storm's anvil at height x: the cloud spreads beneath the tropopause, the steeper the higher, so the
-// anvil's rim is thin.
-float cloud_anvil(CloudKind kind, float x) {
-  float up = clamp(2.5 * x - 1.25, 0.0, 1.0);
-  return kind.storm * up * up;
-}
-
 // How much excess (in units of `full`) it takes to be inside at height x: 0 where the cloud is widest,
-// 1 at its top. Beneath the tropopause a storm spreads out into its anvil, far over what stands below it.
-float cloud_outline(CloudKind kind, float x) {
+// 1 at its top. High above, a storm spreads out again into its anvil.
+float cloud_outline(CloudKind kind, float storm, float x) {
   float below = max(1.0 - x / kind.bottom, 0.0);
   float up = max((x - kind.round_from) / (1.0 - kind.round_from), 0.0);
   float narrowing = up * mix(up, sqrt(up), kind.round_sharply);
-  narrowing = mix(narrowing, kAnvil, cloud_anvil(kind, x));
+  narrowing *= 1.0 - 0.85 * storm * smoothstep(0.62, 0.80, x);
   float lid = max((x - 0.9) / 0.1, 0.0);
-  return below * below + narrowing + (0.5 + kind.storm) * lid * lid;
+  return below * below + narrowing + 0.5 * lid * lid;
 }
 
 // Excess in units of `full`, bounded: a deep cell grows no taller than its kind.
@@ -69,10 +58,8 @@ float cloud_strength(CloudKind kind, float excess) {
   return e > 0.0 ? e * inversesqrt(1.0 + e * e / 1.44) : e;
 }
 
-// How much of the noise counts at height x: bases are flat, and so are anvils.
-float cloud_freedom(CloudKind kind, float x) {
-  return mix(0.30, 1.0, smoothstep(0.0, 0.22, x)) * (1.0 - 0.7 * cloud_anvil(kind, x));
-}
+// How much of the noise counts at height x: bases are flat.
+float cloud_freedom(float x) { return mix(0.30, 1.0, smoothstep(0.0, 0.22, x)); }
 
 // Wispy below, where edges are drawn out, and billowy above (Schneider 2015). `noise` 0 … 1 is bright
 // within cells.
@@ -107,11 +94,10 @@ float cloud_mean_ramp(float a, float b, float width) {
 float normal_share(float z) { return 1.0 / (1.0 + exp(-z * (1.5976 + 0.07056 * z * z))); }
 
 // Coverage 0 … 1, evenly distributed, from three evenly distributed patterns: cells, finer cells and
-// fronts. Two states are blended, scattered clouds by their cells and an overcast sky by its fronts; storms are
-// wide and without the finer cells, which would stand as pillars.
-float weather_coverage(float cells, float finer, float fronts, float cover, float precipitation) {
+// fronts. Two states are blended by the global cover: scattered clouds by their cells, an overcast sky
+// by its fronts.
+float weather_coverage(float cells, float finer, float fronts, float cover) {
   vec3 weights = mix(vec3(0.80, 0.30, 0.34), vec3(0.45, 0.28, 0.80), cover);
-  weights = mix(weights, vec3(0.35, 0.0, 0.75), precipitation);
   float sum = dot(weights, vec3(cells, finer, fronts) - vec3(0.5));
   return normal_share(sum / sqrt(dot(weights, weights) / 12.0));
 }
@@ -119,7 +105,7 @@ float weather_coverage(float cells, float finer, float fronts, float cover, floa
 // Rain falls from where the fronts stand thickest.
 float weather_rain(float coverage, float fronts, float precipitation) {
   float strength = 0.6 * coverage + 0.4 * fronts;
-  float from = 1.0 - 0.6 * precipitation;
+  float from = 1.0 - 0.9 * precipitation;
   return precipitation * smoothstep(from, from + 0.35, strength + 0.1 * precipitation);
 }
 

@@ -352,7 +352,7 @@ TEST_F(CloudsTest, TheShadowMapHoldsTheDepthOfTheField) {
                                      2.0 * data.layer.w - data.layer.x, weather_at(p, 2));
         const double h = (altitude - base) / kind.thickness;
         const double inside = glsl::cloud_strength(kind, weather_at(p, 0) - data.weather.w) -
-                              glsl::cloud_outline(kind, h);
+                              glsl::cloud_outline(kind, 0.0, h);
         depth += data.layer.z * kind.extinction * glsl::cloud_filling(h) *
                  std::clamp(inside / glsl::kCloudEdgeWidth, 0.0, 1.0) * (up - down) / kSteps;
       }
