@@ -31,7 +31,7 @@ Voyage stormy(const char* rate, const glm::dvec3& toward) {
   options.sets = {"environment.date=2026-08-13",
                   "environment.time=23:00:00",
                   "environment.clouds.cover=0.6",
-                  "environment.clouds.precipitation=1",
+                  "environment.clouds.precipitation=0.8",
                   "boat.position=-3000,0",
                   "camera.mode=free",
                   "camera.position=0,4,0",
