@@ -20,7 +20,7 @@ namespace {
 using glm::dvec3;
 
 // Share of the scattered light that is turned by less than an angle (Mobley et al., Appl. Opt. 32,
-// 1993); below 10 degrees by the power law of which those measurements are part.
+// 1993); below 10 degrees, where little depends on it, a power law that was chosen.
 struct Within {
   double degrees, share;
 };
