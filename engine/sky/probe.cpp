@@ -49,7 +49,7 @@ std::uint64_t hash_direction(const glm::dvec3& d, double step) {
 }  // namespace
 
 ProbeSettings ProbeSettings::of_quality(int quality) {
-  constexpr ProbeSettings kQualities[] = {{96, 24}, {96, 24}, {128, 24}, {128, 24}};
+  constexpr ProbeSettings kQualities[] = {{96, 24}, {96, 24}, {256, 24}, {256, 24}};
   return kQualities[std::clamp(quality, 0, 3)];
 }
 
