@@ -39,7 +39,8 @@ shared::CloudData cloud_data(const CloudView& view, const SkyLight& light) {
   const double base = cloud_base(view);
   const double spread = kBaseSpread * glsl::cloud_blend(0.25, 0.6, 1.0, type) * base / 700.0;
   const double tallest = tallest_cloud(weather);
-  data.eye = pack(view.eye.y, 1.0 / kEarthDiameter, weather.cover > 0.0 ? 1.0 : 0.0, 0.0);
+  data.eye = pack(view.eye.y, 1.0 / kEarthDiameter, weather.cover > 0.0 ? 1.0 : 0.0,
+                  tallest_storm(weather));
   data.layer =
       pack(base - spread, base + spread + 1.06 * tallest * p.scale, p.extinction * p.density, base);
 
@@ -59,7 +60,7 @@ shared::CloudData cloud_data(const CloudView& view, const SkyLight& light) {
   data.form = pack(p.density_threshold, p.roughness, p.erosion, p.scale);
 
   const glm::dvec2 along = turned(view.wind_to, p.direction_offset_deg);
-  data.wind = pack(along.x, along.y, cloud_shear(view), 0.0);
+  data.wind = pack(along.x, along.y, cloud_shear(view), weather.precipitation);
   const bool box = p.container == static_cast<int>(CloudContainer::kBox);
   data.box = pack(box ? -view.eye.x : 0.0, box ? -view.eye.z : 0.0,
                   box ? 500.0 * p.box_size : kHuge, 1e-3 / p.edge_fade);

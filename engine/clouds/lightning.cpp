@@ -11,6 +11,8 @@
 
 #define OFFING_GLSL "shaders/lib/phase.glsl"
 #include "engine/core/glsl_double.h"
+#define OFFING_GLSL "shaders/lib/clouds.glsl"
+#include "engine/core/glsl_double.h"
 #define OFFING_GLSL "shaders/lib/cloud_scattering.glsl"
 #include "engine/core/glsl_double.h"
 
@@ -76,8 +78,9 @@ std::vector<Flash> flashes(const RainCells& rain, const CloudView& view, double 
         flash.height = 0.1 + 0.5 * random_uniform(key, 4, n);
         flash.key = hash_of(key, n);
         // Thinned to what of a storm stands there.
-        const double falls = rain.at(view, flash.begin, flash.at);
-        if (random_uniform(key, 5, n) < falls * falls * view.weather.type) found.push_back(flash);
+        const double grown = glsl::storm_grown(view.weather.type, view.weather.precipitation,
+                                               rain.at(view, flash.begin, flash.at));
+        if (random_uniform(key, 5, n) < grown) found.push_back(flash);
       }
     }
   }

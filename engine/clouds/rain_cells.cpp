@@ -34,9 +34,9 @@ double rain_at(const std::vector<std::uint8_t>& patterns, const Clouds& weather,
   const double finer = pattern_at(patterns, 2.0 * glm::dvec2(at.y, at.x) + offsets.finer, 0);
   const double fronts = pattern_at(patterns, at + offsets.fronts, 1);
   const double coverage = glsl::weather_coverage(cells, finer, fronts, weather.cover);
-  return coverage > 1.0 - weather.cover
-             ? glsl::weather_rain(coverage, fronts, weather.precipitation)
-             : 0.0;
+  const double showers = pattern_at(patterns, at + offsets.patches, 3);
+  return glsl::weather_rain(coverage, fronts, showers, weather.cover, weather.type,
+                            weather.precipitation);
 }
 
 }  // namespace

@@ -42,7 +42,12 @@ Image read_weather_picture(const std::string& file) {
 
 double tallest_cloud(const Clouds& weather) {
   // Types scatter about the global one.
-  return glsl::cloud_kind(std::min(weather.type + 0.15, 1.0), weather.precipitation).thickness;
+  return std::max(glsl::cloud_kind(std::min(weather.type + 0.15, 1.0)).thickness,
+                  tallest_storm(weather));
+}
+
+double tallest_storm(const Clouds& weather) {
+  return glsl::storm_thickness(weather.type, weather.precipitation);
 }
 
 WeatherMap::WeatherMap(ShaderLibrary& shaders)
@@ -94,17 +99,18 @@ WeatherMap::Ids WeatherMap::add(FrameGraph& graph, TextureId patterns, const Clo
   const glm::vec4 state(
       glm::dvec4(weather.cover, weather.type, weather.precipitation, drawn ? 1.0 : 0.0));
   const glm::vec4 form(glm::dvec4(1.0 - weather.cover, parameters.density_threshold,
-                                  parameters.roughness, 1.06 * tallest_cloud(weather)));
+                                  parameters.roughness, tallest_cloud(weather)));
+  const glm::vec2 storms(glm::dvec2(tallest_storm(weather), weather.precipitation));
   graph.add(
       "clouds.weather",
       [&](PassBuilder& pass) {
         pass.read(patterns)
             .write(ids.weather)
             .write(ids.most)
-            .cache(memory_, hash_of(offsets, state, form, weather_program_.generation(),
+            .cache(memory_, hash_of(offsets, state, form, storms, weather_program_.generation(),
                                     most_program_.generation()));
       },
-      [this, patterns, offsets, state, form](const PassContext& context) {
+      [this, patterns, offsets, state, form, storms](const PassContext& context) {
         weather_program_.use();
         for (int i = 0; i < 2; ++i) {
           weather_program_.program().set(i, offsets[static_cast<std::size_t>(i)]);
@@ -120,6 +126,7 @@ WeatherMap::Ids WeatherMap::add(FrameGraph& graph, TextureId patterns, const Clo
         glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
         most_program_.use();
         most_program_.program().set(0, form);
+        most_program_.program().set(1, storms);
         weather_.bind(0);
         most_.bind_image(0, GL_WRITE_ONLY);
         glDispatchCompute(groups(kCells), groups(kCells), 1);

@@ -13,6 +13,8 @@ namespace offing {
 
 /// The thickness of the tallest cloud that a weather can hold, m, at the clouds' usual scale.
 double tallest_cloud(const Clouds& weather);
+/// The same of its storms; 0: none.
+double tallest_storm(const Clouds& weather);
 
 /// Which clouds stand where: a tileable map of coverage, type, height of the bases and rain.
 /// Carried by the wind as a whole (CloudData::weather) while its parts come and go.

@@ -42,19 +42,46 @@ CloudColumn cloud_column(vec2 plan) {
 // A place in its column: all that needs no noise.
 struct CloudPlace {
   CloudKind kind;
-  float storm;
   float base;     // m over the sea
   float x;        // height within the cloud, 0 … 1
   float inside;   // > 0 inside an edge without noise, in units of the kind's `full`
   float freedom;  // how far the body's noise moves that edge
+  float smoothed;  // how little is eaten off its edges, 0 … 1
   vec2 plan;
 };
 
-CloudPlace cloud_place_in(CloudPlace place, float excess, float altitude) {
+// Where a storm reaches further than the cloud that it stands in, it takes over.
+CloudPlace cloud_place_in_storm(CloudPlace place, float rain, float altitude) {
+  CloudKind kind = storm_kind(clouds.eye.w, clouds.wind.w);
+  float x = (altitude - place.base) / (kind.thickness * clouds.form.w);
+  // A whole number of periods within the weather's, so that it does not jump where that repeats.
+  vec2 at = kStormTurretPeriods * cloud_weather_at(place.plan);
+  float up = kStormTurretPeriods * clouds.weather.z * altitude;
+  float turrets = textureLod(cloud_shape_noise, vec3(at.x, up, at.y), 1.0).r;
+  float free = clouds.form.y * cloud_freedom(5.0 * x);
+  float strength = storm_strength(kind, rain, turrets, free);
+  float inside = strength - clouds.form.x - storm_outline(kind, x);
+  // Ice above: smooth and thin, a veil where no tower feeds it.
+  float ice = smoothstep(0.70, 0.82, x);
+  float fed = smoothstep(0.2, 1.4, strength);
+  kind.extinction *= mix(1.0, 0.002 + 0.3 * fed * fed, ice);
+  float share = smoothstep(-0.25, 0.25, inside - place.inside);
+  place.kind.thickness = mix(place.kind.thickness, kind.thickness, share);
+  place.kind.roughness = mix(place.kind.roughness, kind.roughness, share);
+  place.kind.extinction = mix(place.kind.extinction, kind.extinction, share);
+  place.x = mix(place.x, x, share);
+  place.freedom = mix(place.freedom, kind.roughness * free, share);
+  place.inside = max(place.inside, inside);
+  place.smoothed = 0.6 * share * ice;
+  return place;
+}
+
+CloudPlace cloud_place_in(CloudPlace place, float excess, float rain, float altitude) {
   place.x = (altitude - place.base) / (place.kind.thickness * clouds.form.w);
-  place.inside = cloud_strength(place.kind, excess) - clouds.form.x -
-                 cloud_outline(place.kind, place.storm, place.x);
+  place.inside = cloud_strength(place.kind, excess) - clouds.form.x - cloud_outline(place.kind, place.x);
   place.freedom = place.kind.roughness * clouds.form.y * cloud_freedom(place.x);
+  place.smoothed = 0.0;
+  for (int i = 0; i < int(clouds.eye.w > 0.0); ++i) place = cloud_place_in_storm(place, rain, altitude);
   return place;
 }
 
@@ -63,18 +90,18 @@ CloudPlace cloud_place(vec3 p) {
   float altitude = cloud_altitude(p);
   place.plan = cloud_unsheared(p, altitude);
   CloudColumn column = cloud_column(place.plan);
-  place.kind = cloud_kind(column.type, column.rain);
-  place.storm = column.rain * column.rain * column.type;
+  place.kind = cloud_kind(column.type);
   place.base = column.base;
-  return cloud_place_in(place, column.excess, altitude);
+  return cloud_place_in(place, column.excess, column.rain, altitude);
 }
 
-// The same for a place not far from another: of the same kind, with a base as high.
+// The same for a place not far from another: of the same type, with a base as high.
 CloudPlace cloud_place_beside(CloudPlace place, vec3 p) {
   float altitude = cloud_altitude(p);
   place.plan = cloud_unsheared(p, altitude);
-  float coverage = textureLod(cloud_weather, cloud_weather_at(place.plan), 0.0).r;
-  return cloud_place_in(place, coverage - clouds.weather.w, altitude);
+  vec4 weather = textureLod(cloud_weather, cloud_weather_at(place.plan), 0.0);
+  place.kind = cloud_kind(weather.g);
+  return cloud_place_in(place, weather.r - clouds.weather.w, weather.a, altitude);
 }
 
 // The most that noise can add: where this is not positive there is no cloud.
@@ -118,7 +145,7 @@ float cloud_erosion(CloudPlace place, vec3 p, float footprint) {
   float lod = log2(max(footprint * clouds.detail.w * kCloudDetailTexels, 1.0));
   float noise = textureLod(cloud_detail_noise,
                            clouds.detail.xyz + vec3(plan.x, p.y, plan.y) * clouds.detail.w, lod).r;
-  return kCloudErosion * clouds.form.z * cloud_edge(noise, place.x);
+  return kCloudErosion * clouds.form.z * (1.0 - place.smoothed) * cloud_edge(noise, place.x);
 }
 
 float cloud_extinction_from(CloudPlace place, float inside) {

@@ -7,8 +7,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D weather;
 layout(r8, binding = 0) uniform writeonly image2D most;
 layout(location = 0) uniform vec4 form;  // 1 - cover, shift of the edge, strength of the body's noise, tallest cloud (m)
+layout(location = 1) uniform vec2 storms;  // their thickness (m; 0: none), the rain in their middle
 
 const int kHeights = 32;
+const float kOver = 1.06;  // of a kind's thickness: no noise lifts it higher
 
 void main() {
   ivec2 cell = ivec2(gl_GlobalInvocationID.xy);
@@ -21,15 +23,18 @@ void main() {
     for (int i = -1; i <= side; ++i)
       value = max(value, texelFetch(weather, (cell * side + ivec2(i, j) + size) % size, 0));
   }
-  CloudKind kind = cloud_kind(value.g, value.a);
-  float storm = value.a * value.a * value.g;
+  CloudKind kind = cloud_kind(value.g);
+  CloudKind storm = storm_kind(storms.x, storms.y);
   float strength = cloud_strength(kind, value.r - form.x) - form.y;
-  float top = 0.0;
+  float top = 0.0;  // m
   for (int i = 0; i < kHeights; ++i) {
-    float x = 1.06 * float(i) / float(kHeights);
-    float inside = strength + 0.5 * kind.roughness * form.z * cloud_freedom(x) - cloud_outline(kind, storm, x);
-    top = inside > 0.0 ? x + 1.06 / float(kHeights) : top;
+    float x = kOver * float(i) / float(kHeights), next = kOver * float(i + 1) / float(kHeights);
+    float most = 0.5 * form.z * cloud_freedom(x);
+    if (strength + kind.roughness * most > cloud_outline(kind, x)) top = max(top, next * kind.thickness);
+    float free = form.z * cloud_freedom(5.0 * x);
+    most = storm_strength(storm, value.a, 1.0, free) - form.y + 0.5 * storm.roughness * free;
+    if (storms.x > 0.0 && value.a > 0.0 && most > storm_outline(storm, x)) top = max(top, next * storms.x);
   }
   // Rounded up.
-  imageStore(most, cell, vec4(top > 0.0 ? min(top * kind.thickness / form.w + 1.0 / 255.0, 1.0) : 0.0));
+  imageStore(most, cell, vec4(top > 0.0 ? min(top / (kOver * form.w) + 1.0 / 255.0, 1.0) : 0.0));
 }

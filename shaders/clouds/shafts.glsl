@@ -18,7 +18,7 @@ vec2 kept_by_weather(vec3 p) {
   vec3 toward = clouds.shadow_light.xyz;
   vec2 plan = p.xz + toward.xz * ((clouds.layer.w - cloud_altitude(p)) / toward.y);
   CloudColumn column = cloud_column(plan);
-  CloudKind kind = cloud_kind(column.type, column.rain);
+  CloudKind kind = cloud_kind(column.type);
   float inside = cloud_strength(kind, column.excess) - clouds.form.x;
   float freedom = max(kFreedom * kind.roughness * clouds.form.y, 0.05);
   float covered = smoothstep(-kNoiseReach, kNoiseReach, inside / freedom);

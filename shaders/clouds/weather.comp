@@ -23,7 +23,7 @@ void main() {
   made.r = weather_coverage(cells.r, finer, fronts, state.x);
   made.g = clamp(state.y + 0.30 * (patches.a - 0.5) * min(4.0 * state.y * (1.0 - 0.6 * state.y), 1.0), 0.0, 1.0);
   made.b = patches.b;
-  made.a = weather_rain(made.r, fronts, state.z);
+  made.a = weather_rain(made.r, fronts, patches.a, state.x, state.y, state.z);
   vec4 drawn = textureLod(picture, at, 0.0);
   imageStore(weather, texel, mix(made, drawn, given * state.w));
 }

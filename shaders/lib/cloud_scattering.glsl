@@ -112,7 +112,7 @@ const vec3 kFlashColour = vec3(0.85, 0.95, 1.35);
 // light and is much deeper than it is seen into: what arrives at its surface, 1 / distance^2 by the
 // cosine, leaves there in all directions; over all of a plane that is half of what the point gives.
 float cloud_glow(float distance) {
-  const float kDepth = 600.0;  // m, of the point beneath the surface
+  const float kDepth = 1200.0;  // m, of the point beneath the surface of a storm some kilometres wide
   float r2 = distance * distance + kDepth * kDepth;
   return kDepth / (kPhasePi * r2 * sqrt(r2));
 }

@@ -26,28 +26,24 @@ float cloud_blend(float a, float b, float c, float type) {
   return b + (from_middle < 0.0 ? b - a : c - b) * from_middle;
 }
 
-const float kStormThickness = 8000.0;
-
-CloudKind cloud_kind(float type, float rain) {
+CloudKind cloud_kind(float type) {
   CloudKind kind;
-  float storm = rain * rain * type;
-  kind.thickness = mix(cloud_blend(260.0, 520.0, 1050.0, type), kStormThickness, storm);
-  kind.full = mix(cloud_blend(0.12, 0.20, 0.34, type), 0.65, storm);
-  kind.roughness = mix(cloud_blend(2.0, 1.5, 1.35, type), 0.5, storm);
-  kind.bottom = mix(cloud_blend(0.25, 0.16, 0.05, type), 0.012, storm);
+  kind.thickness = cloud_blend(260.0, 520.0, 1050.0, type);
+  kind.full = cloud_blend(0.12, 0.20, 0.34, type);
+  kind.roughness = cloud_blend(2.0, 1.5, 1.35, type);
+  kind.bottom = cloud_blend(0.25, 0.16, 0.05, type);
   kind.round_from = cloud_blend(0.55, 0.30, 0.04, type);
   kind.round_sharply = cloud_blend(0.0, 0.3, 0.9, type);
-  kind.extinction = cloud_blend(0.6, 0.75, 1.0, type) * (1.0 + 0.4 * rain);
+  kind.extinction = cloud_blend(0.6, 0.75, 1.0, type);
   return kind;
 }
 
 // How much excess (in units of `full`) it takes to be inside at height x: 0 where the cloud is widest,
-// 1 at its top. High above, a storm spreads out again into its anvil.
-float cloud_outline(CloudKind kind, float storm, float x) {
+// 1 at its top.
+float cloud_outline(CloudKind kind, float x) {
   float below = max(1.0 - x / kind.bottom, 0.0);
   float up = max((x - kind.round_from) / (1.0 - kind.round_from), 0.0);
   float narrowing = up * mix(up, sqrt(up), kind.round_sharply);
-  narrowing *= 1.0 - 0.85 * storm * smoothstep(0.62, 0.80, x);
   float lid = max((x - 0.9) / 0.1, 0.0);
   return below * below + narrowing + 0.5 * lid * lid;
 }
@@ -56,6 +52,59 @@ float cloud_outline(CloudKind kind, float storm, float x) {
 float cloud_strength(CloudKind kind, float excess) {
   float e = excess / kind.full;
   return e > 0.0 ? e * inversesqrt(1.0 + e * e / 1.44) : e;
+}
+
+// ---- Storms ----------------------------------------------------------------------------------------
+// Where it rains a tower stands in the cloud: its plan is where the rain is more than its outline asks for
+// at that height.
+
+const float kStormThickness = 8000.0;
+// Strength of the wide noise that sets its turrets apart, in units of `full`, and its periods within the weather's.
+const float kStormTurrets = 1.2, kStormTurretPeriods = 4.0;
+
+// Height of the tallest towers over their bases, m; 0: none. Little rain falls from towers of 2.5 km, and
+// layers of cloud grow none.
+float storm_thickness(float type, float precipitation) {
+  return precipitation > 0.0 ? type * mix(2500.0, kStormThickness, smoothstep(0.1, 0.7, precipitation)) : 0.0;
+}
+
+// `precipitation`: the rain in the middle of the strongest.
+CloudKind storm_kind(float thickness, float precipitation) {
+  CloudKind kind;
+  kind.thickness = thickness;
+  kind.full = 0.6 * precipitation;  // of rain
+  kind.roughness = 0.4;
+  kind.bottom = 0.012;
+  kind.round_from = 0.05;
+  kind.round_sharply = 0.0;
+  kind.extinction = 1.4;
+  return kind;
+}
+
+// Rain in units of `full`, with the wide noise (0 … 1) at a height where this share of it counts; nothing where
+// it does not rain.
+float storm_strength(CloudKind kind, float rain, float turrets, float freedom) {
+  float strength = rain / kind.full;
+  return strength + kStormTurrets * min(4.0 * strength, 1.0) * freedom * (turrets - 0.5);
+}
+
+// How much rain (in units of `full`) it takes to be inside at height x: a tower that narrows upward, an anvil
+// that spreads from it under the tropopause, with a rim that thins out, and the dome of the strongest over it.
+float storm_outline(CloudKind kind, float x) {
+  float below = max(1.0 - x / kind.bottom, 0.0);
+  float closing = max(x - 0.9, 0.0);
+  float tower = 1.0 + 0.25 * clamp((x - kind.round_from) / 0.7, 0.0, 1.0) + 150.0 * closing * closing;
+  float under = max(0.89 - x, 0.0) / 0.20, over = closing / 0.04;
+  float anvil = 0.15 + under + over * over;
+  float spreads = smoothstep(4000.0, 6500.0, kind.thickness);
+  return below * below + mix(tower, min(tower, anvil), spreads);
+}
+
+// How much of a full-grown storm stands where it rains so hard, 0 … 1.
+float storm_grown(float type, float precipitation, float rain) {
+  float height = storm_thickness(type, precipitation) / kStormThickness;
+  CloudKind kind = storm_kind(1.0, max(precipitation, 1.0e-3));
+  return height * height * clamp(2.0 * rain / kind.full - 1.0, 0.0, 1.0);
 }
 
 // How much of the noise counts at height x: bases are flat.
@@ -102,11 +151,15 @@ float weather_coverage(float cells, float finer, float fronts, float cover) {
   return normal_share(sum / sqrt(dot(weights, weights) / 12.0));
 }
 
-// Rain falls from where the fronts stand thickest.
-float weather_rain(float coverage, float fronts, float precipitation) {
-  float strength = 0.6 * coverage + 0.4 * fronts;
-  float from = 1.0 - 0.9 * precipitation;
-  return precipitation * smoothstep(from, from + 0.35, strength + 0.1 * precipitation);
+// Rain falls from layers (type 0) where the fronts stand thickest, from heaps (type 1) in showers: cells of their
+// own some kilometres wide, whether or not other clouds stand there.
+float weather_rain(float coverage, float fronts, float showers, float cover, float type, float precipitation) {
+  float heaps = smoothstep(0.2, 0.5, type);
+  float layered = coverage > 1.0 - cover ? 0.6 * coverage + 0.4 * fronts : 0.0;
+  float showery = normal_share((0.4 * fronts + 0.6 * showers - 0.5) / sqrt((0.16 + 0.36) / 12.0));
+  float from = 1.0 - mix(0.9, 0.3, heaps) * precipitation;
+  float full = mix(from + 0.35, 1.0, heaps);
+  return precipitation * clamp((mix(layered, showery, heaps) - from) / (full - from), 0.0, 1.0);
 }
 
 // ---- Container: a shell round the earth, or a box ------------------------------------------------

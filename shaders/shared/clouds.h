@@ -12,14 +12,14 @@ using glm::vec4;
 #endif
 
 struct CloudData {
-  vec4 eye;       // x: height of the camera (m); y: 1 / earth's diameter (1/m); z: 1 where there are clouds; w: unused
+  vec4 eye;       // x: height of the camera (m); y: 1 / earth's diameter (1/m); z: 1 where there are clouds; w: thickness of storms (m), 0: none
   vec4 weather;   // xy: coordinates at the camera; z: 1 / period (1/m); w: 1 - cover
   vec4 shape;     // xyz: coordinates at the camera; w: 1 / period (1/m)
   vec4 detail;    // likewise
   vec4 curl;      // xy: coordinates at the camera; z: 1 / period (1/m); w: reach at the bases (m)
   vec4 layer;     // x: lowest base, y: highest top (m over the sea); z: extinction (1/m); w: base of the parameters (m)
   vec4 form;      // x: shift of the edge; y: strength of the body's noise; z: of the edges'; w: scale
-  vec4 wind;      // xy: unit (x, z) along the wind aloft; z: lean (m per m); w: unused
+  vec4 wind;      // xy: unit (x, z) along the wind aloft; z: lean (m per m); w: precipitation, 0 … 1
   vec4 box;       // xy: its middle (x, z) from the camera; z: half a side (m; a shell: huge); w: 1 / edge fade (1/m)
   vec4 light_direction;  // xyz: toward the brighter of sun and moon; w: unused
   vec4 light_source;     // rgb: its lux above the air; w: unused

@@ -109,21 +109,60 @@ TEST(Weather, CoverageIsAShareOfTheSky) {
 
 TEST(CloudKinds, StayFiniteAndCloseAtTheirEnds) {
   for (double type = 0.0; type <= 1.0; type += 0.1) {
-    for (double rain = 0.0; rain <= 1.0; rain += 0.25) {
-      const CloudKind kind = cloud_kind(type, rain);
-      const double storm = rain * rain * type;
-      EXPECT_GT(kind.thickness, 100.0);
-      EXPECT_GT(kind.extinction, 0.3);
-      // Deep inside its plan there is cloud half way up, none below the base and none over the top,
-      // even with the most that noise can add.
-      const double strength = cloud_strength(kind, 1.0);
-      const double most = 0.5 * kind.roughness;
-      EXPECT_GT(strength - cloud_outline(kind, storm, 0.35), 0.0) << type << " " << rain;
-      EXPECT_LT(strength + most * cloud_freedom(-0.2) - cloud_outline(kind, storm, -0.2), 0.0)
-          << type << " " << rain;
-      EXPECT_LT(strength + most - cloud_outline(kind, storm, 2.2), 0.0) << type << " " << rain;
+    const CloudKind kind = cloud_kind(type);
+    EXPECT_GT(kind.thickness, 100.0);
+    EXPECT_GT(kind.extinction, 0.3);
+    // Deep inside its plan there is cloud half way up, none below the base and none over the top,
+    // even with the most that noise can add.
+    const double strength = cloud_strength(kind, 1.0);
+    const double most = 0.5 * kind.roughness;
+    EXPECT_GT(strength - cloud_outline(kind, 0.35), 0.0) << type;
+    EXPECT_LT(strength + most * cloud_freedom(-0.2) - cloud_outline(kind, -0.2), 0.0) << type;
+    EXPECT_LT(strength + most - cloud_outline(kind, 2.2), 0.0) << type;
+  }
+}
+
+TEST(Storms, StandWhereItRainsHardestAndCloseAtTheirEnds) {
+  EXPECT_EQ(storm_thickness(1.0, 0.0), 0.0);
+  EXPECT_EQ(storm_thickness(0.0, 1.0), 0.0);
+  for (const double rain : {0.05, 0.3, 1.0}) {
+    const double thickness = storm_thickness(1.0, rain);
+    EXPECT_GT(thickness, cloud_kind(1.0).thickness) << rain;
+    const CloudKind kind = storm_kind(thickness, rain);
+    const double strength = storm_strength(kind, rain, 0.5, 1.0);
+    const double most = storm_strength(kind, rain, 1.0, 1.0) + 0.5 * kind.roughness;
+    EXPECT_EQ(storm_strength(kind, 0.0, 1.0, 1.0), 0.0);
+    for (double x = 0.02; x < 0.92; x += 0.05) {
+      EXPECT_GT(strength, storm_outline(kind, x)) << rain << " " << x;  // from base to top
+      EXPECT_GT(storm_outline(kind, x), 0.0) << x;                      // none without rain
+    }
+    EXPECT_LT(most, storm_outline(kind, -0.02)) << rain;
+    EXPECT_LT(most, storm_outline(kind, 1.06)) << rain;
+  }
+}
+
+TEST(Storms, AnvilsSpreadFromTallTowersAlone) {
+  const CloudKind tall = storm_kind(storm_thickness(1.0, 0.8), 0.8);
+  const CloudKind low = storm_kind(storm_thickness(1.0, 0.1), 0.1);
+  EXPECT_LT(storm_outline(tall, 0.88), 0.3 * storm_outline(tall, 0.6));
+  EXPECT_GE(storm_outline(low, 0.88), storm_outline(low, 0.6));
+}
+
+TEST(Weather, ShowersCoverAShareAndLayersRainFromThemselves) {
+  int raining = 0, stray = 0;
+  constexpr int kSide = 60;
+  for (int i = 0; i < kSide; ++i) {
+    for (int j = 0; j < kSide; ++j) {
+      const double fronts = (i + 0.5) / kSide, other = (j + 0.5) / kSide;
+      raining += weather_rain(0.0, fronts, other, 0.6, 1.0, 0.8) > 0.0 ? 1 : 0;
+      stray += other < 0.4 && weather_rain(other, fronts, 0.5, 0.6, 0.0, 1.0) > 0.0 ? 1 : 0;
+      const double rain = weather_rain(other, fronts, other, 0.6, 1.0, 0.8);
+      ASSERT_GE(rain, 0.0);
+      ASSERT_LE(rain, 0.8);
     }
   }
+  EXPECT_NEAR(static_cast<double>(raining) / (kSide * kSide), 0.3 * 0.8, 0.04);
+  EXPECT_EQ(stray, 0);  // no rain from a layer where there is none
 }
 
 TEST(CloudNoise, RepeatsAndFillsItsRange) {

@@ -347,12 +347,12 @@ TEST_F(CloudsTest, TheShadowMapHoldsTheDepthOfTheField) {
         const double t = down + (up - down) * (i + 0.5) / kSteps;
         const glm::dvec2 p = plan + t * glm::dvec2(toward.x, toward.z);
         const double altitude = data.layer.w + t * toward.y;
-        const glsl::CloudKind kind = glsl::cloud_kind(weather_at(p, 1), weather_at(p, 3));
+        const glsl::CloudKind kind = glsl::cloud_kind(weather_at(p, 1));
         const double base = glm::mix(static_cast<double>(data.layer.x),
                                      2.0 * data.layer.w - data.layer.x, weather_at(p, 2));
         const double h = (altitude - base) / kind.thickness;
         const double inside = glsl::cloud_strength(kind, weather_at(p, 0) - data.weather.w) -
-                              glsl::cloud_outline(kind, 0.0, h);
+                              glsl::cloud_outline(kind, h);
         depth += data.layer.z * kind.extinction * glsl::cloud_filling(h) *
                  std::clamp(inside / glsl::kCloudEdgeWidth, 0.0, 1.0) * (up - down) / kSteps;
       }

@@ -24,17 +24,19 @@ constexpr int kFrames = 8;
 
 // A moonless night among storms, seen from the sea with no boat near.
 Voyage stormy(const char* rate, const glm::dvec3& toward) {
-  const glm::dvec3 target = glm::dvec3(0.0, 4.0, 0.0) + 1000.0 * toward;
+  const glm::dvec3 target = glm::dvec3(-15000.0, 4.0, -4000.0) + 1000.0 * toward;
   Options options;
   options.quality = "low";
   options.fps = 4.0;
+  options.seed = 6;  // a flash within the first two seconds
   options.sets = {"environment.date=2026-08-13",
                   "environment.time=23:00:00",
                   "environment.clouds.cover=0.6",
                   "environment.clouds.precipitation=0.8",
+                  "environment.clouds.type=1",
                   "boat.position=-3000,0",
                   "camera.mode=free",
-                  "camera.position=0,4,0",
+                  "camera.position=-15000,4,-4000",  // eight kilometres off a storm
                   "camera.fov=90",
                   "clouds.rain_rate=0",  // the glow itself, not through rain
                   fmt::format("camera.target={},{},{}", target.x, target.y, target.z),

@@ -7,6 +7,9 @@
 
 #include "engine/clouds/weather_noise.h"
 
+#define OFFING_GLSL "shaders/lib/clouds.glsl"
+#include "engine/core/glsl_double.h"
+
 namespace offing {
 namespace {
 
@@ -25,7 +28,7 @@ TEST(Lightning, StrikesAsOftenAsTheStormsAreLarge) {
   RainCells rain;
   rain.update(view);
   double share = 0.0;  // of the map that is storm
-  for (const float falls : rain.rain()) share += falls * falls;
+  for (const float falls : rain.rain()) share += glsl::storm_grown(1.0, 0.8, falls);
   share /= static_cast<double>(rain.rain().size());
   ASSERT_GT(share, 0.01);
   const double seconds = 3600.0;
