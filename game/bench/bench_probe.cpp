@@ -171,7 +171,7 @@ class Stage {
 
 // Size of the probe: what a whole refresh takes, and how far from brute force it ends.
 void bench_probe(const Options& options) {
-  const std::vector<int> sizes = {64, 96, 128, 192, 256};
+  const std::vector<int> sizes = {96, 128, 192, 256};
   Stage stage;
   nlohmann::ordered_json report;
   report["samples_of_reference"] = kBruteForce;
