@@ -23,9 +23,13 @@ constexpr int kListWidth = 1024;  // texels, of four nodes each
 constexpr double kLeapAngle = 0.026, kLeapHaze = 0.02, kLeapHeight = 0.25;
 // Steps that start another generation.
 constexpr double kAngleStep = 1e-4, kHeightStep = 0.02, kLightStep = 1e-3, kWindStep = 0.25;
+// How far sun and moon may go while a generation is made, and the fewest frames it is spread over.
+// What is shown is brought in by turns of a part of its tiles, so that frames come in such numbers.
+constexpr double kWayOfGeneration = radians(5.0);
+constexpr int kFewestFrames = 8, kParts = 4;
 
 // Texels per side of a level over those of level 0, in 48ths.
-constexpr int kSides[kProbeLevels] = {48, 48, 44, 36, 30, 25, 21, 18, 15, 13, 11, 9, 8};
+constexpr int kSides[kProbeLevels] = {48, 40, 40, 38, 28, 22, 17, 13, 10, 8, 7, 6, 5};
 
 // Nanoseconds per texel or node, and per pair of texel and node, on a CPU renderer; only their
 // ratios matter.
@@ -49,7 +53,7 @@ std::uint64_t hash_direction(const glm::dvec3& d, double step) {
 }  // namespace
 
 ProbeSettings ProbeSettings::of_quality(int quality) {
-  constexpr ProbeSettings kQualities[] = {{96, 24}, {96, 24}, {256, 24}, {256, 24}};
+  constexpr ProbeSettings kQualities[] = {{192, 64}, {192, 64}, {256, 24}, {256, 24}};
   return kQualities[std::clamp(quality, 0, 3)];
 }
 
@@ -57,15 +61,15 @@ void ProbeIds::read_by(PassBuilder& pass) const { pass.read(map).read(block, Acc
 
 /// One frame's part.
 struct Probe::Frame {
-  int first_slice = 0, last_slice = -1;  ///< of the generation that is being made
-  float share = 0.0f;                    ///< of the way to the whole generation; 0: none
-  bool leap = false;
+  int index = 0, of = 1;  ///< of the frames over which the generation is spread
+  bool builds = false, blends = false;
+  bool leap = false;  ///< all of a generation, shown at once
   std::uint64_t key = 0;
   State state{};
   const Sky* sky = nullptr;
   SkyIds sky_ids{};
   std::optional<ProbeClouds> clouds;
-  bool idle() const { return last_slice < first_slice && share == 0.0f; }
+  bool idle() const { return !builds && !blends; }
 };
 
 Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
@@ -96,6 +100,10 @@ Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
   const gl::TextureDesc nodes{
       .format = GL_RGBA32F, .width = 2 * settings_.size, .height = 2 * settings_.size};
   sums_ = gl::Texture("probe sums", desc);
+  // Between levels there are texels that are filtered with a weight of zero, and never written.
+  for (const gl::Texture* map : {&shown_, &sums_}) {
+    glClearTexImage(map->id(), 0, GL_RGBA, GL_FLOAT, nullptr);
+  }
   seen_ = gl::Texture("probe seen", nodes);
   glClearTexImage(seen_.id(), 0, GL_RGBA, GL_FLOAT, nullptr);
   places_ = gl::Texture("probe places", nodes);
@@ -112,7 +120,6 @@ Probe::Probe(ShaderLibrary& shaders, const ProbeSettings& settings)
   data.texel = glm::vec4(1.0f / static_cast<float>(desc.width),
                          1.0f / static_cast<float>(desc.height), 0.0f, 0.0f);
   block_ = gl::Buffer("probe block", sizeof(data), GL_DYNAMIC_STORAGE_BIT, &data);
-  next_slice_ = settings_.slices;
   plan_work();
 }
 
@@ -135,7 +142,7 @@ void Probe::plan_work() {
     work.slice = std::min(static_cast<int>(middle * settings_.slices), settings_.slices - 1);
     done += work.cost;
   }
-  // What is done in the same frame by the same program is one dispatch.
+  // One entry for all of a kind in a slice.
   std::vector<Work> merged;
   for (const Work& work : work_) {
     if (!merged.empty() && merged.back().slice == work.slice && merged.back().kind == work.kind) {
@@ -185,16 +192,18 @@ ProbeIds Probe::add(FrameGraph& graph, const SkyLight& light, double wind_speed,
       std::abs(frame.state.haze - last_.haze) > kLeapHaze ||
       std::abs(std::log((frame.state.height + 100.0) / (last_.height + 100.0))) > kLeapHeight ||
       frame.state.clouds != last_.clouds || frame.state.on != last_.on;
-  if (frame.leap) {
-    frame.last_slice = settings_.slices - 1;
-    frame.share = 1.0f;
-  } else {
-    if (next_slice_ < settings_.slices) {
-      frame.first_slice = frame.last_slice = next_slice_;
-    } else if (frame.key != key_) {
-      frame.last_slice = 0;
-    }
-    if (blend_left_ > 0) frame.share = 1.0f / static_cast<float>(blend_left_);
+  frame.blends = frame.leap || blend_left_ > 0;
+  if (!frame.leap && frame_ < frames_) {
+    frame.builds = true;
+    frame.index = frame_;
+    frame.of = frames_;
+  } else if (frame.leap || frame.key != key_) {
+    frame.builds = true;
+    const double pace = std::max(angle(frame.state.sun, last_.sun),
+                                 moon_counts ? angle(frame.state.moon, last_.moon) : 0.0);
+    const double most = kWayOfGeneration / std::max(pace, 1e-9);  // frames
+    const int frames = static_cast<int>(std::min(most, 1.0 * settings_.slices)) / kParts * kParts;
+    frame.of = frame.leap ? 1 : std::max(frames, kFewestFrames);
   }
   frame.sky = &sky;
   frame.sky_ids = sky_ids;
@@ -208,7 +217,7 @@ ProbeIds Probe::add(FrameGraph& graph, const SkyLight& light, double wind_speed,
         if (frame.idle()) return;
         sky_ids.read_by(pass);
         if (clouds) pass.read(clouds->map);
-        // The generations are the probe's own: run_slice() and blend() order what touches them.
+        // The generations are the probe's own: run_slices() and blend() order what touches them.
       },
       [this, frame](const PassContext& context) { run(frame, context); });
   return ids;
@@ -222,30 +231,25 @@ void Probe::run(const Frame& frame, const PassContext& context) {
   }
   linear_.bind(OFFING_UNIT_PROBE);
   // The map of an earlier frame goes on being shown while the next one is made.
-  if (frame.share > 0.0f && !frame.leap) {
-    blend(frame.share);
-    --blend_left_;
-  }
-  if (frame.last_slice >= frame.first_slice) {
-    if (frame.first_slice == 0) key_ = frame.key;
-    for (int slice = frame.first_slice; slice <= frame.last_slice; ++slice) {
-      run_slice(frame, slice, generations_[building_]);
-    }
-    next_slice_ = frame.last_slice + 1;
-    if (next_slice_ == settings_.slices) {
+  if (frame.blends && !frame.leap) blend(blend_left_--);
+  if (frame.builds) {
+    if (frame.index == 0) key_ = frame.key;
+    frames_ = frame.of;
+    frame_ = frame.index + 1;
+    const int first = frame.index * settings_.slices / frames_;
+    const int last = frame_ * settings_.slices / frames_;
+    run_slices(frame, first, last, generations_[building_]);
+    if (frame_ == frames_) {
       building_ = 1 - building_;
-      blend_left_ = settings_.slices;
+      blend_left_ = frames_shown_ = frames_;
       complete_ = true;
     }
   }
-  if (frame.leap) {
-    blend(1.0f);
-    blend_left_ = 0;
-  }
+  if (frame.leap) blend(blend_left_ = 0);
   last_ = frame.state;
 }
 
-void Probe::run_slice(const Frame& frame, int slice, const Generation& into) {
+void Probe::run_slices(const Frame& frame, int first, int last, const Generation& into) {
   int unit = 0;
   for (const gl::Texture* texture : {&places_, &seen_, &lists_}) {
     texture->bind(static_cast<GLuint>(unit));
@@ -258,8 +262,14 @@ void Probe::run_slice(const Frame& frame, int slice, const Generation& into) {
   into.irradiance.bind_storage(0);
   tiles_.bind_storage(1);
   on_ = frame.state.on;
-  for (const Work& work : work_) {
-    if (work.slice != slice) continue;
+  for (std::size_t i = 0; i < work_.size(); ++i) {
+    Work work = work_[i];
+    if (work.slice < first || work.slice >= last) continue;
+    // What is done in the same frame by the same program is one dispatch.
+    for (; i + 1 < work_.size() && work_[i + 1].slice < last && work_[i + 1].kind == work.kind;
+         ++i) {
+      work.tiles += work_[i + 1].tiles;
+    }
     // It may read what the last one wrote.
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
@@ -319,18 +329,27 @@ void Probe::make_mips() const {
   }
 }
 
-void Probe::blend(float share) {
+void Probe::blend(int left) {
   const Generation& whole = generations_[1 - building_];
   glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
   shown_.bind_image(0, GL_READ_WRITE);
   whole.map.bind_image(1, GL_READ_ONLY);
   block_.bind_storage(0);
-  whole.irradiance.bind_storage(1);
+  whole.irradiance.bind_storage(2);
+  tiles_.bind_storage(1);
+  block_.bind_uniform(OFFING_BIND_PROBE);
+  // By a slow clock each part of the tiles has its turn every kParts frames, and goes further each
+  // time; by a fast one all of them in every frame.
+  const int all = static_cast<int>(plan_.tiles.size());
+  const int parts = left > 0 && frames_shown_ == settings_.slices ? kParts : 1;
+  const int part = (parts - left % parts) % parts;
+  const int first = part * all / parts, last = (part + 1) * all / parts;
+  const int turns = std::max((left + parts - 1) / parts, 1);
   blend_.use();
-  blend_.program().set(0, share);
-  blend_.program().set(1, glm::ivec2(shown_.width(), shown_.height()));
-  glDispatchCompute(static_cast<GLuint>((shown_.width() + 7) / 8),
-                    static_cast<GLuint>((shown_.height() + 7) / 8), 1);
+  blend_.program().set(0, first);
+  blend_.program().set(
+      1, glm::vec2(1.0f / static_cast<float>(turns), 1.0f / static_cast<float>(std::max(left, 1))));
+  glDispatchCompute(static_cast<GLuint>(last - first), 1, 1);
 }
 
 void Probe::bind(const PassContext& context, const ProbeIds& ids) const {

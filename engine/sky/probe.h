@@ -31,8 +31,8 @@ struct ProbeClouds {
 };
 
 struct ProbeSettings {
-  int size = 96;    ///< texels per side of each half of level 0; a multiple of 16
-  int slices = 24;  ///< frames over which a refresh is spread, 1 or more
+  int size = 192;   ///< texels per side of each half of level 0; a multiple of 32
+  int slices = 64;  ///< frames over which a refresh is spread at most; a multiple of 4, 8 or more
 
   /// 0 low to 3 ultra.
   static ProbeSettings of_quality(int quality);
@@ -41,8 +41,9 @@ struct ProbeSettings {
 /// The reflection probe: sky, clouds and a mean sea as a surface at the camera mirrors them, for
 /// thirteen roughnesses, and as it is lit by them (spherical harmonics).
 ///
-/// While anything that it shows moves, one slice of the next generation is made in each frame;
-/// when that is whole, what is shown moves over to it at an even pace during as many frames again.
+/// While anything that it shows moves, a slice of the next generation is made in each frame; when
+/// that is whole, what is shown moves over to it at an even pace during as many frames again. The
+/// faster sun and moon move, the fewer frames: what is shown is of `2 frames()` frames ago.
 /// Where nothing moves nothing is done. The first frame, and one after a leap in time or place,
 /// makes it whole at once.
 class Probe {
@@ -63,6 +64,9 @@ class Probe {
   const ProbeSettings& settings() const { return settings_; }
   /// Share of a whole refresh's work in each slice, estimated; the sum is 1.
   std::vector<double> slice_shares() const;
+  /// Over how many frames the generation that was begun last is spread: settings().slices, or as
+  /// many as let sun and moon go no further than 5 degrees meanwhile; 8 at least.
+  int frames() const { return frames_; }
   const gl::Texture& map() const { return shown_; }
 
  private:
@@ -88,10 +92,10 @@ class Probe {
 
   void plan_work();
   void run(const Frame& frame, const PassContext& context);
-  void run_slice(const Frame& frame, int slice, const Generation& into);
+  void run_slices(const Frame& frame, int first, int last, const Generation& into);
   void dispatch(const Work& work) const;
   void make_mips() const;
-  void blend(float share);
+  void blend(int left);
 
   ProbeSettings settings_;
   const ShaderProgram& capture_;
@@ -111,7 +115,9 @@ class Probe {
 
   // Where the refresh stands; moved on only where the pass runs.
   int building_ = 0;       ///< which generation; the other one is whole
-  int next_slice_ = 0;     ///< settings_.slices: none is being made
+  int frames_ = 0;         ///< over which it is spread
+  int frame_ = 0;          ///< of those, the next; frames_: none is being made
+  int frames_shown_ = 0;   ///< over which the whole generation is brought in
   int blend_left_ = 0;     ///< frames until what is shown equals the whole generation
   bool on_ = true;         ///< of what is being made; off: the sky's tables as they are
   bool complete_ = false;  ///< there is a whole generation

@@ -17,8 +17,11 @@ namespace {
 using glm::dvec3;
 
 // A node counts whole where the lobe is all but a straight line across it: the most by which it may
-// bend, as a share of the lobe's light. Wide lobes are sums of large nodes, and of fewer.
-double tolerance_of(double alpha) { return 1e-3 * std::pow(std::min(1.0, 0.06 / alpha), 1.3); }
+// bend, as a share of the lobe's light. Wide lobes are sums of large nodes, and of fewer; of narrow
+// ones, which see few texels, more is allowed.
+double tolerance_of(double alpha) {
+  return 4e-3 * std::pow(0.06 / alpha, alpha > 0.06 ? 1.3 : 0.5);
+}
 
 struct Node {
   dvec3 middle;
@@ -119,7 +122,8 @@ void collect(const Tree& tree, const Tile& tile, std::size_t mip, int x, int y,
   const double a2 = tile.alpha * tile.alpha, cosine = 1.0 - 0.5 * near * near;
   const double a = a2 * (1.0 + cosine) + 1.0 - cosine, t = 4.0 / kPi * a2 * node.angle;
   const double r = std::sqrt(a * a + t), share = 0.5 * t / (r * (r + a));
-  const double bend = node.extent * node.extent / (4.0 * a2 + near * near);
+  const double edge = std::max(distance - node.extent, 0.0);  // there it bends most
+  const double bend = node.extent * node.extent / (4.0 * a2 + edge * edge);
   if (mip == 0 || share * bend < tile.tolerance) {
     list.push_back(static_cast<std::uint32_t>(
         x + (y + ProbePlan::first_row(tree.size, static_cast<int>(mip))) * 65536));

@@ -7,13 +7,13 @@
 namespace offing {
 
 /// Which parts of what the probe sees each of its texels is a sum over, known once and for all: a
-/// tree of nodes (texels, and squares of 2 to 16 of them), and for each tile of a level
+/// tree of nodes (texels, and squares of 2 to 32 of them), and for each tile of a level
 /// the nodes that look small from there beside its lobe (after Barnes & Hut, Nature 1986).
 struct ProbePlan {
-  static constexpr int kMips = 5;  ///< sizes of nodes: 1, 2, 4, 8 and 16 texels per side
+  static constexpr int kMips = 6;  ///< sizes of nodes: 1, 2, 4, 8, 16 and 32 texels per side
   static constexpr int kTile = 8;  ///< texels per side of a tile
 
-  /// `size`: texels per side of each of the two squares of what is seen, a multiple of 16;
+  /// `size`: texels per side of each of the two squares of what is seen, a multiple of 32;
   /// `sides`: texels per side of the levels, of which the first, a mirror, is no sum.
   ProbePlan(int size, const std::vector<int>& sides);
 

@@ -21,7 +21,7 @@
 namespace offing {
 namespace {
 
-constexpr int kQueries = 256, kBruteForce = 4096, kTimed = 3, kRounds = 8;
+constexpr int kQueries = 256, kBruteForce = 4096, kTimed = 3, kRounds = 4;
 
 struct Measure {
   double whole_ms = 0.0;                ///< one whole refresh
@@ -100,7 +100,7 @@ class Stage {
     std::vector<double> standing;
     std::vector<double> turning(static_cast<std::size_t>(slices), 1e9), whole = turning;
     for (int frame = 0; frame < kRounds * slices + 1; ++frame) {
-      set_sun(elevation_deg, 240.0 + 0.02 * frame);
+      set_sun(elevation_deg, 240.0 + 0.01 * frame);
       const Spent spent = use(probe);
       if (frame == 0) continue;  // made whole
       const auto slice = static_cast<std::size_t>((frame - 1) % slices);
@@ -171,7 +171,7 @@ class Stage {
 
 // Size of the probe: what a whole refresh takes, and how far from brute force it ends.
 void bench_probe(const Options& options) {
-  const std::vector<int> sizes = {48, 64, 96, 128, 256};
+  const std::vector<int> sizes = {96, 128, 192, 256};
   Stage stage;
   nlohmann::ordered_json report;
   report["samples_of_reference"] = kBruteForce;

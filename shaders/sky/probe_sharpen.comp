@@ -1,7 +1,8 @@
 // A level of the probe so that what is read between texels and between levels is right in the mean. Where a
 // quantity bends by b over a step, a straight line between its values is too high by b t (1 - t) / 2, in the
 // mean b / 12: taken off the values, the root mean square of what is left is 0.4 of what it was. Where it bends by
-// more than such a line can follow, as at the edges of clouds, no more than 6 % is taken off.
+// more than such a line can follow, as at the edges of clouds, no more than a quarter is taken off; of the level
+// whose lobe is narrower than a texel, no more than 6 %.
 #include "sky/probe_tile.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -33,5 +34,6 @@ void main() {
     float below = tile.below ? 1.0 : 0.0;
     bend += of_level(tile.level - 1, units, below) - 2.0 * here + of_level(tile.level + 1, units, below);
   }
-  imageStore(map, at, vec4(clamp(here - bend / 12.0, 0.94 * here, 1.06 * here), 1.0));
+  float most = tile.level == 1 ? 0.06 : 0.25;
+  imageStore(map, at, vec4(clamp(here - bend / 12.0, (1.0 - most) * here, (1.0 + most) * here), 1.0));
 }

@@ -96,7 +96,7 @@ TEST_F(CloudMapTest, StandsStillWithTheClockAndFollowsItInSlices) {
   // The air drifts on for one frame: one refresh, and the probe takes it in, then nothing.
   view_.elapsed += 2.0;
   view_.drift += glm::dvec2(16.0, 0.0);
-  for (int i = 0; i < 60; ++i) frame();
+  for (int i = 0; i < 2 * probe_->settings().slices + 12; ++i) frame();
   EXPECT_EQ(row("clouds.map").ran, 1 + map_->settings().slices);
   EXPECT_EQ(row("sky.probe").ran, 1 + 2 * probe_->settings().slices);
 }
@@ -111,13 +111,13 @@ TEST_F(CloudMapTest, TheProbeShowsCloudsAndDoesNotFlickerAsTheyPass) {
   // has moved over to the other weather.
   view_.weather.cover = 0.5;
   std::vector<double> means;
-  for (int i = 0; i < 130; ++i) {
+  for (int i = 0; i < 3 * probe_->settings().slices + 8; ++i) {
     view_.elapsed += 0.4;
     view_.drift += glm::dvec2(3.2, 0.0);
     means.push_back(static_cast<double>(frame()));
   }
   double least = 1e9, most = 0.0;
-  const auto settled = static_cast<std::size_t>(3 * probe_->settings().slices);
+  const auto settled = static_cast<std::size_t>(2 * probe_->settings().slices + 8);
   for (std::size_t i = settled; i < means.size(); ++i) {
     least = std::min(least, means[i]);
     most = std::max(most, means[i]);
@@ -126,17 +126,15 @@ TEST_F(CloudMapTest, TheProbeShowsCloudsAndDoesNotFlickerAsTheyPass) {
   EXPECT_GT(most / least, 1.002);
 }
 
-// Edges of clouds are sharper than texels of 1 to 3 degrees, low's: what a narrow lobe mirrors of
-// them there lies beside its place. From high on there are texels enough for every lobe.
 TEST_F(CloudMapTest, TheProbeOfACloudySkyAgreesWithBruteForce) {
   const ProbeReference reference(*shaders_);
   view_.weather.cover = 0.5;
-  for (const int quality : {0, 2}) {
+  for (const int quality : {0, 1, 2}) {
     map_ = std::make_unique<CloudMap>(*shaders_, CloudMapSettings::of_quality(quality));
     probe_ = std::make_unique<Probe>(*shaders_, ProbeSettings::of_quality(quality));
     for (const double elevation : {40.0, 6.0}) {
       sun_ = test::sun_at(200.0, elevation);
-      for (const float roughness : {0.1f, 0.2f, 0.4f, 0.7f, 1.0f}) {
+      for (const float roughness : {0.1f, 0.2f, 0.4f, 1.0f}) {
         light_ = model_.update(sun_, 0.1, view_.eye.y);
         const SkyIds sky_ids = begin_frame(light_);
         const auto clouds = add_map(sky_ids);
@@ -152,11 +150,7 @@ TEST_F(CloudMapTest, TheProbeOfACloudySkyAgreesWithBruteForce) {
             [&](const PassContext& context) {
               const auto answers = reference.ask(context, *sky_, sky_ids, *probe_, ids,
                                                  queries_all_round(256, roughness), 4096, clouds);
-              const bool coarse = quality == 0;
-              const double limit = coarse && roughness < 0.15f  ? 0.08
-                                   : coarse && roughness < 0.3f ? 0.05
-                                                                : 0.02;
-              EXPECT_LT(relative_rms(answers), limit)
+              EXPECT_LT(relative_rms(answers), 0.02)
                   << "quality " << quality << ", " << elevation << " deg, roughness " << roughness;
             });
         graph_->execute();

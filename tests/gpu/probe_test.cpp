@@ -132,9 +132,40 @@ TEST_F(ProbeTest, StandsStillWithTheClock) {
   EXPECT_EQ(row().cached, 5);
   // Time goes on for one frame and stops: the refresh is finished and brought in, then nothing.
   const CelestialState later = sun_at(200.1, 25.0);
-  for (int i = 0; i < 60; ++i) frame(later);
-  EXPECT_EQ(row().ran, 1 + 2 * probe_->settings().slices);
-  EXPECT_EQ(row().cached, 5 + 60 - 2 * probe_->settings().slices);
+  for (int i = 0; i < 140; ++i) frame(later);
+  EXPECT_EQ(row().ran, 1 + 2 * probe_->frames());
+  EXPECT_EQ(row().cached, 5 + 140 - 2 * probe_->frames());
+}
+
+TEST_F(ProbeTest, KeepsUpWithAFastClock) {
+  // A day in a minute at 15 frames a second, and at 60; at true speed there is time enough.
+  const auto frames_at = [&](double degrees) {
+    frame(sun_at(200.0, 0.0));
+    frame(sun_at(200.0 + degrees, 0.0));
+    const int frames = probe_->frames();
+    for (int i = 0; i < 2 * frames; ++i) frame(sun_at(200.0 + degrees, 0.0));
+    return frames;
+  };
+  for (const double degrees : {0.4, 0.1}) {
+    const int frames = frames_at(degrees);
+    EXPECT_LE(frames * degrees, 5.0);
+    EXPECT_GE(frames, 8);
+  }
+  EXPECT_EQ(frames_at(0.02), probe_->settings().slices);
+}
+
+TEST_F(ProbeTest, IsTheNewMapWhenItHasMovedOver) {
+  // In slices and turns it comes to the same as at once.
+  const auto queries = queries_all_round(64, 0.3f);
+  frame(sun_at(200.0, 20.0));
+  frame(sun_at(201.0, 20.0));
+  for (int i = 0; i < 2 * probe_->frames(); ++i) frame(sun_at(201.0, 20.0));
+  const auto in_slices = frame(sun_at(201.0, 20.0), queries);
+  probe_ = std::make_unique<Probe>(*shaders_, ProbeSettings::of_quality(0));
+  const auto at_once = frame(sun_at(201.0, 20.0), queries);
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    EXPECT_NEAR(luminance(in_slices[i].probe) / luminance(at_once[i].probe), 1.0, 2e-3) << i;
+  }
 }
 
 TEST_F(ProbeTest, SlicesAreEven) {
