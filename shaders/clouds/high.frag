@@ -13,6 +13,9 @@ layout(binding = 0) uniform sampler2D tile;  // gardner_tile.comp; repeating, wi
 layout(location = 1) uniform vec2 cell;      // size of a pixel over the screen's
 layout(location = 0) out vec4 colour;        // radiance × exposure, transmittance
 
+// A low sun shines into streaks from the side: they are some kilometres wide and half of one thick, no endless
+// layer. The least sine at which light may cross them.
+const float kFlattest = 0.17;
 const float kBrightest = 30000.0;  // two of them still fit a half float
 
 // Crystals scatter forward, some a great deal; plates and columns bend light by 22 degrees.
@@ -72,7 +75,7 @@ void main() {
   float angle = dot(d, toward);
   vec3 up = normalize(vec3(away.x, kPlanetRadius * 1.0e3, away.y));
   float cosine = dot(toward, up);
-  float steep = max(abs(cosine), 0.05);
+  float steep = max(abs(cosine), kFlattest);
   CloudField field = cloud_field(0.5 * depth / steep, depth / steep, steep, kIceG, 0.0);
   float side = cosine < 0.0 ? -1.0 : 1.0;  // a sun that has set lights it from below
   vec3 light = gardner.light_source.rgb * light_aloft(gardner.high.w, away, toward);

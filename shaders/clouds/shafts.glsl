@@ -1,7 +1,6 @@
 // Shafts: air in the shadow of a cloud scatters less. The picture's air (AirLight) is that of a clear sky;
-// what the clouds keep from it is taken away again, as a share of what is seen: of that the air has given
-// about its own opacity. So light is only removed, and never more than there is. Needs clouds/shadow.glsl,
-// clouds/air.glsl and the includer's uniforms before it.
+// what the clouds keep from it is taken away again: single scattering integrated along the ray, never
+// more than the air has given. Needs clouds/shadow.glsl, clouds/air.glsl and the includer's uniforms before it.
 
 // What is left of the light at a place: of its beam (x), and in all (y; Eddington's transmittance,
 // lib/cloud_scattering.glsl), behind this optical depth of cloud.
@@ -27,39 +26,39 @@ vec2 kept_by_weather(vec3 p) {
   return mix(vec2(1.0), kept_behind(depth), covered);
 }
 
-// Share of the picture's light that is missing along `span`.
-float shaft_missing(vec3 direction, CloudSpan span, float jitter) {
+// Radiance (cd/m^2) that is missing along `span`.
+vec3 shaft_missing(vec3 direction, CloudSpan span, float jitter) {
   float far = min(span.far, span.near + kShaftReach);
-  vec3 toward = clouds.light_direction.xyz;
+  float cosine = dot(direction, clouds.light_direction.xyz);
   bool by_day = frame.sun_illuminance.g >= frame.moon_illuminance.g;
   vec3 lux = by_day ? frame.sun_illuminance.rgb : frame.moon_illuminance.rgb;
-  float cosine = dot(direction, toward);
-  // Of what the air scatters toward the eye: what came straight from the light, and for one lux that comes
-  // from all round instead.
-  vec3 rayleigh = rayleigh_at_sea_level();
-  float mie = sky.aerosol.x;
-  vec3 once = lux * (rayleigh * rayleigh_phase(cosine) + vec3(mie * cornette_shanks(kMieG, cosine)));
-  vec3 even = rayleigh + vec3(mie);
-  // Mean radiance all round: the sky above, next to nothing from the sea below.
-  vec3 all = once + even * frame.sky_illuminance.rgb * (0.5 / kPhasePi);
-  vec3 straight = once / all;
-  vec3 spread = even * lux * (0.25 / kPhasePi) / all;
+  vec3 lux_aloft = cloud_light_at(1.0e-3 * clouds.layer.w, clouds.light_direction.y, clouds.light_source.rgb);
+  float rise = 1.0e3 / max(clouds.layer.w, 1.0);  // 1/km
+  // Scattered toward the eye by a metre of air at sea level: of the beam, and of one lux from all round.
+  vec3 rayleigh = 1.0e-3 * rayleigh_at_sea_level();
+  vec3 mie = vec3(1.0e-3 * sky.aerosol.x);
+  vec3 rayleigh_beam = rayleigh * rayleigh_phase(cosine), mie_beam = mie * cornette_shanks(kMieG, cosine);
+  const float kEven = 0.25 / kPhasePi;
 
-  vec2 kept = vec2(0.0);
-  float weights = 1.0e-6;
-  float haze = frame.haze.g;
+  vec3 missing = vec3(0.0), depth = vec3(0.0);
+  float before = 0.0;
   for (int i = 0; i < steps.x; ++i) {
     float u = (float(i) + jitter) / float(steps.x);
     float along = mix(span.near, far, u * u);
     vec3 p = direction * along;
-    float weight = 2.0 * u * exp(-haze * (along - span.near) - 1.0e-3 * cloud_altitude(p) / sky.aerosol.z);
+    float height = 1.0e-3 * max(cloud_altitude(p), 0.0);
+    float thin = exp(-height / kRayleighHeight), thick = exp(-height / sky.aerosol.z);
+    // What dims it on its way to the eye.
+    depth += (along - before) * 1.0e-3 * (rayleigh_at_sea_level() * thin + vec3(sky.aerosol.y * thick));
+    before = along;
     float known = cloud_shadow_known(cloud_shadow_at(p, cloud_altitude(p)));
-    kept += weight * mix(kept_by_weather(p), kept_behind(cloud_shadow_depth(p)), known);
-    weights += weight;
+    vec2 kept = mix(kept_by_weather(p), kept_behind(cloud_shadow_depth(p)), known);
+    vec3 beam = (1.0 - kept.x) * (thin * rayleigh_beam + thick * mie_beam);
+    // What the cloud lets through scattered comes from all round instead.
+    vec3 spread = (kept.y - kept.x) * kEven * (thin * rayleigh + thick * mie);
+    missing += u * exp(-depth) * (beam - spread) * mix(lux, max(lux_aloft, lux), min(height * rise, 1.0));
   }
-  kept /= weights;
-  vec3 share = clamp(straight * (1.0 - kept.x) - spread * max(kept.y - kept.x, 0.0), vec3(0.0),
-                     vec3(1.0));
-  vec3 air = cloud_air(direction, far, cloud_altitude(direction * far)).transmittance;
-  return amount.x * share.g * (1.0 - air.g);
+  missing *= 2.0 * (far - span.near) / float(steps.x);
+  vec3 given = cloud_air(direction, far, cloud_altitude(direction * far)).inscattered;
+  return amount.x * clamp(missing, vec3(0.0), 0.95 * given);
 }
