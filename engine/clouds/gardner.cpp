@@ -16,10 +16,10 @@
 namespace offing {
 namespace {
 
-constexpr double kHighHeight = 8200.0;  // m
-constexpr double kCell = 1900.0;        // m between cumuli
-constexpr int kCellsAcross = 7;         // on either side of the camera
-constexpr int kHeap = 7;                // ellipsoids of a cumulus at most
+constexpr double kHighHeight = 8200.0, kMiddleHeight = 4100.0;  // m
+constexpr double kCell = 1900.0;                                // m between cumuli
+constexpr int kCellsAcross = 7;                                 // on either side of the camera
+constexpr int kHeap = 7;                                        // ellipsoids of a cumulus at most
 constexpr int kMostEllipsoids = (2 * kCellsAcross + 1) * (2 * kCellsAcross + 1) * kHeap;
 constexpr int kDomeVertices = 96 * 3;  // as in sky/dome.vert
 constexpr int kTileTexels = 512;       // of one period
@@ -32,9 +32,22 @@ glm::vec4 pack(double x, double y, double z, double w) { return glm::vec4(glm::d
 /// Into one period of the texture, which is two wavelengths.
 double in_period(double wavelengths) { return wavelengths - 2.0 * std::floor(0.5 * wavelengths); }
 
-/// `high_threshold`: what the texture exceeds over the share of the sky that high clouds cover.
+/// Whether a layer of this share of the sky at that height is drawn: from below only.
+bool shows(const GardnerView& view, double share, double height) {
+  return view.sky_visible && share > 0.0 && view.eye.y < height - 100.0;
+}
+
+/// Place of the camera on a layer that the wind has carried so far, along and across it, in
+/// wavelengths (m) of its texture.
+glm::dvec2 place_in(const GardnerView& view, glm::dvec2 carried, glm::dvec2 wavelengths) {
+  const glm::dvec2 place = glm::dvec2(view.eye.x, view.eye.z) - carried, to = view.wind_to;
+  return {in_period(glm::dot(place, to) / wavelengths.x),
+          in_period(glm::dot(place, glm::dvec2(-to.y, to.x)) / wavelengths.y)};
+}
+
+/// Thresholds: what the texture exceeds over the share of the sky that a layer covers.
 shared::GardnerData gardner_data(const GardnerView& view, const SkyLight& light,
-                                 double high_threshold) {
+                                 double high_threshold, double middle_threshold) {
   const GardnerParameters& p = view.parameters;
   shared::GardnerData data{};
   const auto luminance = [](const glm::dvec3& c) {
@@ -47,14 +60,20 @@ shared::GardnerData gardner_data(const GardnerView& view, const SkyLight& light,
   data.light_source = pack(sun ? light.sun_source : light.moon_source, 0.0);
 
   const glm::dvec2 to = view.wind_to;
-  const glm::dvec2 place = glm::dvec2(view.eye.x, view.eye.z) - view.high_carried;
   const double wavelength = 1000.0 * p.high_wavelength;
-  data.high = pack(in_period(glm::dot(place, to) / (wavelength * p.high_stretch)),
-                   in_period(glm::dot(place, glm::dvec2(-to.y, to.x)) / wavelength),
-                   1.0 / wavelength, kHighHeight);
+  const glm::dvec2 high =
+      place_in(view, view.high_carried, glm::dvec2(p.high_stretch, 1.0) * wavelength);
+  data.high = pack(high.x, high.y, 1.0 / wavelength, kHighHeight);
   data.high_wind = pack(to.x, to.y, p.high_stretch, p.contrast);
-  data.high_form =
-      pack(high_threshold, p.high_range, p.high_depth * (0.35 + 0.65 * view.weather.high), p.terms);
+  const double ice = p.high_depth * (0.35 + 0.65 * view.weather.high);
+  data.high_form = pack(high_threshold, p.high_range,
+                        shows(view, view.weather.high, kHighHeight) ? ice : 0.0, p.terms);
+  const double patches = 1000.0 * p.middle_wavelength;
+  const glm::dvec2 middle = place_in(view, view.middle_carried, glm::dvec2(patches));
+  data.middle = pack(middle.x, middle.y, 1.0 / patches, kMiddleHeight);
+  data.middle_form =
+      pack(middle_threshold, shows(view, view.weather.middle, kMiddleHeight) ? p.middle_depth : 0.0,
+           0.0, 0.0);
 
   data.shading = pack(p.ambient, p.texture, p.specular, p.contrast);
   data.translucency = pack(p.threshold, p.limb_threshold, p.range, p.terms);
@@ -207,7 +226,8 @@ void GardnerClouds::add_high(FrameGraph& graph, const GardnerView& view, const S
 
 void GardnerClouds::add(FrameGraph& graph, const GardnerView& view, const SkyLight& light,
                         const Sky& sky, const SkyIds& sky_ids, TextureId hdr, TextureId depth) {
-  const bool high = view.sky_visible && view.weather.high > 0.0 && view.eye.y < kHighHeight - 100.0;
+  const bool high = shows(view, view.weather.high, kHighHeight) ||
+                    shows(view, view.weather.middle, kMiddleHeight);
   const bool heaps = view.sky_visible && view.ellipsoids && view.weather.cover > 0.0;
   const BufferId block = graph.import(block_);
   if (high || heaps) {
@@ -217,10 +237,13 @@ void GardnerClouds::add(FrameGraph& graph, const GardnerView& view, const SkyLig
       values_terms_ = p.terms;
       values_contrast_ = p.contrast;
     }
-    const double rank =
-        (1.0 - std::clamp(view.weather.high, 0.0, 1.0)) * static_cast<double>(values_.size() - 1);
+    const auto exceeded = [&](double share) {
+      const double rank =
+          (1.0 - std::clamp(share, 0.0, 1.0)) * static_cast<double>(values_.size() - 1);
+      return values_[static_cast<std::size_t>(rank)];
+    };
     const shared::GardnerData data =
-        gardner_data(view, light, values_[static_cast<std::size_t>(rank)]);
+        gardner_data(view, light, exceeded(view.weather.high), exceeded(view.weather.middle));
     graph.add(
         "clouds.gardner_block",
         [&](PassBuilder& pass) {

@@ -19,14 +19,15 @@ namespace offing {
 
 /// What Gardner's clouds are drawn from.
 struct GardnerView {
-  Clouds weather;                ///< cover and high
-  glm::dvec2 low_carried{0.0};   ///< how far the wind has carried the cumuli (x, z; m)
-  glm::dvec2 high_carried{0.0};  ///< and the cirrus
-  glm::dvec2 wind_to{0.0, 1.0};  ///< unit (x, z)
-  glm::dvec3 eye{0.0};           ///< the camera in the world, m
-  glm::ivec2 size{1};            ///< of the picture, pixels
-  double base = 700.0;           ///< of cumuli, m
-  bool ellipsoids = false;       ///< whether cumuli are drawn this way
+  Clouds weather;                  ///< cover, middle and high
+  glm::dvec2 low_carried{0.0};     ///< how far the wind has carried the cumuli (x, z; m)
+  glm::dvec2 middle_carried{0.0};  ///< and the altocumulus
+  glm::dvec2 high_carried{0.0};    ///< and the cirrus
+  glm::dvec2 wind_to{0.0, 1.0};    ///< unit (x, z)
+  glm::dvec3 eye{0.0};             ///< the camera in the world, m
+  glm::ivec2 size{1};              ///< of the picture, pixels
+  double base = 700.0;             ///< of cumuli, m
+  bool ellipsoids = false;         ///< whether cumuli are drawn this way
   bool sky_visible = true;
   std::uint64_t seed = 1;
   GardnerParameters parameters;
@@ -48,8 +49,8 @@ std::vector<GardnerEllipsoid> gardner_cumuli(const GardnerView& view);
 /// Some 5 ms.
 std::vector<double> gardner_values(int terms, double contrast);
 
-/// Clouds as G. Gardner drew them in 1985: high ones as a texture on a sky plane, and, as the
-/// cheapest tier, cumuli as translucent ellipsoids.
+/// Clouds as G. Gardner drew them in 1985: high and middle ones as textures on sky planes, and, as
+/// the cheapest tier, cumuli as translucent ellipsoids.
 class GardnerClouds {
  public:
   explicit GardnerClouds(ShaderLibrary& shaders);

@@ -11,6 +11,10 @@ void GardnerParameters::describe(FieldTable& table) {
       .number("high_depth", high_depth, {0.0, 8.0}, "", "optical depth of the densest high cloud")
       .number("high_wavelength", high_wavelength, {1.0, 100.0}, "km", "of high clouds' texture")
       .number("high_stretch", high_stretch, {1.0, 12.0}, "", "longer along the wind by this")
+      .number("middle_depth", middle_depth, {0.0, 20.0}, "",
+              "optical depth of the densest altocumulus")
+      .number("middle_wavelength", middle_wavelength, {1.0, 100.0}, "km",
+              "of the patches of altocumulus")
       .number("ambient", ambient, {0.0, 1.0}, "", "a: share of even light on ellipsoids")
       .number("texture", texture, {0.0, 1.0}, "", "t: share of the texture in their shading")
       .number("specular", specular, {0.0, 1.0}, "", "s: share of shine in their shading")

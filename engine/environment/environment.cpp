@@ -50,6 +50,8 @@ void Environment::describe(FieldTable& table) {
       .number("clouds.type", clouds.type, {0.0, 1.0}, "", "0 stratus, 0.5 stratocumulus, 1 cumulus")
       .number("clouds.precipitation", clouds.precipitation, {0.0, 1.0}, "", "rain from the clouds")
       .number("clouds.high", clouds.high, {0.0, 1.0}, "", "cirrus")
+      .number("clouds.middle", clouds.middle, {0.0, 1.0}, "",
+              "altocumulus: share of the sky with its patches")
       .number("clock_rate", clock_rate, {-86400.0, 86400.0}, "s/s",
               "seconds of day and night per second of sailing; negative runs backwards")
       .flag("paused", paused, "clock and sea stand still");

@@ -24,6 +24,7 @@ struct Clouds {
   double type = 1.0;           ///< 0 stratus, 0.5 stratocumulus, 1 cumulus
   double precipitation = 0.0;  ///< 0 to 1
   double high = 0.2;           ///< cirrus, 0 to 1
+  double middle = 0.0;         ///< altocumulus, share of the sky with its patches, 0 to 1
 };
 
 /// The only wind, clock, place and weather. Waves, sails, sky and clouds read it; nobody keeps a

@@ -43,12 +43,13 @@ BoatView boat_view(const World& world, glm::dvec3 camera, const SkyLight& light)
 
 /// The clouds that are drawn as Gardner did, which the volumetric ones then leave out.
 GardnerView gardner_view(const World& world, CloudView& clouds, bool sky_visible) {
-  constexpr double kHigh = 8200.0;  // m
+  constexpr double kMiddle = 4100.0, kHigh = 8200.0;  // m
   const Scene& scene = world.scene();
   GardnerView view;
   view.weather = clouds.weather;
   view.base = clouds.parameters.base;
   view.low_carried = cloud_carried(clouds, view.base);
+  view.middle_carried = cloud_carried(clouds, kMiddle);
   view.high_carried = cloud_carried(clouds, kHigh);
   view.wind_to = clouds.wind_to;
   view.eye = clouds.eye;
@@ -56,7 +57,7 @@ GardnerView gardner_view(const World& world, CloudView& clouds, bool sky_visible
   view.sky_visible = sky_visible;
   view.seed = clouds.seed;
   view.parameters = scene.gardner;
-  clouds.weather.high = 0.0;
+  clouds.weather.high = clouds.weather.middle = 0.0;
   if (view.ellipsoids) clouds.weather.cover = 0.0;
   return view;
 }

@@ -31,6 +31,7 @@ TEST_F(CloudLimits, OfEveryKeyGiveFinitePictures) {
                   "camera.target=600,120,400",
                   "environment.clouds.cover=0.6",
                   "environment.clouds.high=0.5",
+                  "environment.clouds.middle=0.5",
                   "environment.clouds.precipitation=0.6"};
   Voyage voyage(options, {48, 27});
   const FieldTable table = voyage.world().scene().fields();
