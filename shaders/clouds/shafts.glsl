@@ -1,6 +1,5 @@
 // Shafts: air in the shadow of a cloud scatters less. The picture's air (AirLight) is that of a clear sky;
-// what the clouds keep from it is taken away again: single scattering integrated along the ray, never
-// more than the air has given. Needs clouds/shadow.glsl, clouds/air.glsl and the includer's uniforms before it.
+// what the clouds keep from it is taken away again: single scattering integrated along the ray. Needs clouds/shadow.glsl, clouds/air.glsl and the includer's uniforms before it.
 
 // What is left of the light at a place: of its beam (x), and in all (y; Eddington's transmittance,
 // lib/cloud_scattering.glsl), behind this optical depth of cloud.
@@ -26,7 +25,7 @@ vec2 kept_by_weather(vec3 p) {
   return mix(vec2(1.0), kept_behind(depth), covered);
 }
 
-// Radiance (cd/m^2) that is missing along `span`.
+// Radiance (cd/m^2) that is missing along `span`, never more than the air there has given.
 vec3 shaft_missing(vec3 direction, CloudSpan span, float jitter) {
   float far = min(span.far, span.near + kShaftReach);
   float cosine = dot(direction, clouds.light_direction.xyz);

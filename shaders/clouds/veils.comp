@@ -1,6 +1,6 @@
 // What hangs in the air between the sea and the clouds, at a fraction of the picture's size: shafts of light
 // and shadow, and rain. Stored are the rain's radiance less what shafts of shadow lack (× exposure), and
-// the share of everything behind that shows through the rain.
+// the share of everything behind that is left.
 #include "shared/frame.h"
 #include "sky/sky.glsl"
 #include "clouds/density.glsl"
@@ -42,6 +42,13 @@ void main() {
   rain.light = vec3(0.0);
   rain.transmittance = 1.0;
   for (int i = 0; i < int(any && steps.y > 0); ++i) rain = rain_veil(direction, span, jitter);
-  vec3 light = clamp((rain.light - rain.transmittance * missing) * frame.time.z, vec3(-30000.0), vec3(30000.0));
-  imageStore(veils, texel, vec4(light, rain.transmittance));
+  // Sky and clouds have all of the air's light that is taken off them. The sea before its horizon may have less,
+  // and texels here are wide: down there a share of what is seen goes instead, as much as of the sky.
+  const float kFirst = 3.0, kLast = 7.0;  // texels above the horizon
+  float height = (direction.y + sky.observer.y) / (float(cell) * frame.camera.w);
+  float taken = smoothstep(kFirst, kLast, height);
+  float share = missing.g / max(sky_radiance(direction).g, 1.0e-9);
+  vec3 light = rain.light - taken * rain.transmittance * missing;
+  light = clamp(light * frame.time.z, vec3(-30000.0), vec3(30000.0));
+  imageStore(veils, texel, vec4(light, rain.transmittance * (1.0 - (1.0 - taken) * share)));
 }
