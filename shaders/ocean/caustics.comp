@@ -1,7 +1,7 @@
 // Light gathered by the waves: rays of sun or moon from a grid of points of water at rest, bent by the
-// slope there, each shared among the four texels about where it crosses every layer's depth. Texels
-// lie on the surface, back along the level sea's ray. Whole numbers, so that the order of the sums
-// does not matter and no light is lost.
+// slope there, each laid over the texels about where it crosses every layer's depth, as a square as wide as
+// rays lie apart in level water: half a texel. Texels on the surface, back along the level sea's ray. Whole numbers, so that the order of the sums does not
+// matter and no light is lost.
 #include "shared/frame.h"
 #include "shared/ocean.h"
 #include "lib/phase.glsl"
@@ -44,7 +44,7 @@ void main() {
               water.caustics.xy;
     vec2 place = (at / water.caustics.z + 0.5) * float(texels) - 0.5;
     ivec2 first = ivec2(floor(place));
-    vec2 inside = place - vec2(first);
+    vec2 inside = clamp(2.0 * (place - vec2(first)) - 0.5, 0.0, 1.0);
     for (int corner = 0; corner < 4; ++corner) {
       ivec2 offset = ivec2(corner & 1, corner >> 1);
       ivec2 texel = first + offset;

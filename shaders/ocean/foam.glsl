@@ -60,13 +60,15 @@ vec3 foam_pattern_left(vec3 fineness) {
 float foam_streaks(float pattern, float fineness, float thin, float left) {
   const vec3 kWeights = vec3(kStreakRows * kStreakRows, kStreakLines * kStreakLines,
                              kStreakThreads * kStreakThreads);
-  float share = clamp(kStreakShare * ocean.foam_share.w + 0.5 * thin, 0.01, 0.6);
+  float force = ocean.foam_share.w;
+  float share = clamp(kStreakShare * force + 0.5 * thin * min(1.5 * force, 1.0), 0.01, 0.6);
   float unseen = dot(kWeights, vec3(1.0) - foam_pattern_left(fineness + vec3(-3.0, -1.3, -0.2)));
   unseen += kStreakLace * kStreakLace * (1.0 - left) + 0.05;
   float over = pattern - 1.02 * normal_point(share);
-  // They come by and by, well marked from force 8 on; faint at the rim.
-  float marked = min(2.5 * ocean.foam_share.w, 1.0);
-  return marked * kStreakOpacity * normal_below(over * inversesqrt(unseen)) * clamp(0.35 + over, 0.35, 1.0);
+  // They come by and by: single bubbles at first, which only their density makes white. Old foam is thin
+  // but for the middle of a streak.
+  float dense = force * (0.2 + 0.8 * smoothstep(0.0, 1.4, over));
+  return kStreakOpacity * dense * normal_below(over * inversesqrt(unseen));
 }
 
 // What a pixel sees of foam.

@@ -4,3 +4,6 @@ struct Drop {
   vec4 place;     // w: age (s)
   vec4 velocity;  // w: how old it gets (s), 0: none
 };
+
+// What half a cloud covers of the foam's pattern, along its way and across.
+const vec2 kSprayTuft = vec2(0.1, 0.3);
