@@ -1,6 +1,6 @@
 // What hangs in the air between the sea and the clouds, at a fraction of the picture's size: shafts of light
-// and shadow, and rain. Stored are the rain's radiance less what shafts of shadow lack (× exposure), and
-// the share of everything behind that is left.
+// and shadow, and rain. Stored are the rain's radiance × exposure and the share of everything behind
+// that is left.
 #include "shared/frame.h"
 #include "sky/sky.glsl"
 #include "clouds/density.glsl"
@@ -34,7 +34,7 @@ void main() {
   float jitter = spread_noise(vec2(texel));
   // From the sea up to the bases.
   CloudSpan span = cloud_shell(max(clouds.eye.x, 1.0), direction.y, clouds.eye.y, 0.0, clouds.layer.w);
-  vec3 missing = vec3(0.0);
+  float missing = 0.0;
   // Loops that run once or not at all: a CPU renderer runs both sides of an if.
   bool any = span.far > span.near;
   for (int i = 0; i < int(any && steps.x > 0); ++i) missing = shaft_missing(direction, span, jitter);
@@ -42,13 +42,6 @@ void main() {
   rain.light = vec3(0.0);
   rain.transmittance = 1.0;
   for (int i = 0; i < int(any && steps.y > 0); ++i) rain = rain_veil(direction, span, jitter);
-  // Sky and clouds have all of the air's light that is taken off them. The sea before its horizon may have less,
-  // and texels here are wide: down there a share of what is seen goes instead, as much as of the sky.
-  const float kFirst = 3.0, kLast = 7.0;  // texels above the horizon
-  float height = (direction.y + sky.observer.y) / (float(cell) * frame.camera.w);
-  float taken = smoothstep(kFirst, kLast, height);
-  float share = missing.g / max(sky_radiance(direction).g, 1.0e-9);
-  vec3 light = rain.light - taken * rain.transmittance * missing;
-  light = clamp(light * frame.time.z, vec3(-30000.0), vec3(30000.0));
-  imageStore(veils, texel, vec4(light, rain.transmittance * (1.0 - (1.0 - taken) * share)));
+  vec3 light = min(rain.light * frame.time.z, vec3(30000.0));
+  imageStore(veils, texel, vec4(light, rain.transmittance * (1.0 - missing)));
 }
