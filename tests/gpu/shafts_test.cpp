@@ -16,7 +16,7 @@ namespace {
 
 using glm::dvec3;
 
-constexpr int kWidth = 96, kHeight = 64, kCell = 8;
+constexpr int kWidth = 96, kHeight = 64;
 
 /// Shafts alone, over the clear sky, under scattered clouds.
 class ShaftsTest : public test::SkyGraphTest {
