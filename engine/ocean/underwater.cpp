@@ -37,6 +37,7 @@ glm::vec4 pack(const glm::dvec3& v, double w) { return glm::vec4(glm::dvec4(v, w
 ShaderDefines view_defines(int quality, bool crossing) {
   ShaderDefines defines{{"STEPS", std::to_string(fineness(quality).steps)}};
   if (crossing) defines.emplace_back("CROSSING", "1");
+  if (quality <= 0) defines.emplace_back("RIPPLES", "");  // as from above
   return defines;
 }
 

@@ -386,7 +386,16 @@ void SkyLight::fill(shared::FrameData& frame) const {
   frame.moon_direction = pack(moon_direction, std::cos(moon_radius));
   frame.moon_illuminance = pack(moon_illuminance, moon_share);
   frame.sky_illuminance = pack(sky_illuminance, 0.0);
-  frame.haze = pack(extinction, 0.0);
+  // Means of what thins out upward with these scale heights, between the sea and the camera.
+  const auto mean = [h = std::max(camera_height * 1e-3, 1e-6)](double scale) {
+    return scale / h * -std::expm1(-h / scale);
+  };
+  const glsl::Aerosol aerosol = glsl::aerosol_of_haze(haze);
+  const dvec3 rayleigh = glsl::rayleigh_at_sea_level();
+  frame.haze = pack(
+      (rayleigh * mean(glsl::kRayleighHeight) + aerosol.extinction * mean(aerosol.scale_height)) *
+          1e-3,
+      0.0);
   frame.time.z = static_cast<float>(exposure);
 }
 

@@ -23,6 +23,13 @@
 const float kShows = 1.0e-3;  // share of the picture that is worth being lit
 const float kLeast = LEAST;  // transmittance at which a ray has seen all that shows
 
+
+// Of a heap, whose faces stand at all slants to the light: found by comparing with the path tracer
+// (engine/clouds/LIGHT.md).
+const float kHeapLeak = 0.4;     // k, per scaled mean free path
+const float kHeapFacing = 0.25;  // cosine
+const vec2 kHeapTakes = vec2(0.44, 0.84);  // of the light on a square across its way: of a flat one; what a high one adds
+
 struct CloudSight {
   vec3 radiance;  // cd/m^2
   float transmittance;
@@ -72,36 +79,43 @@ CloudRay cloud_ray(vec3 direction, float near) {
   return ray;
 }
 
-// Optical depth from a place, where the signed field is `inside`, toward the light: some steps that double, each
-// with the mean between its ends as along the ray, and the shadow map beyond.
-float depth_to_light(CloudPlace from, float inside, vec3 p, float footprint, int steps) {
+// Optical depth between a place, where the signed field is `inside`, and the far side of its cloud, away from the
+// light: of the cloud that ends soon by one sample, which is far finer than the map; of what goes on by the map,
+// where there is one (of `map` y and z: cloud_shadow_depths).
+float depth_beyond(CloudPlace from, float inside, vec3 p, vec3 map) {
+  float look = 200.0 * clouds.form.w;
+  vec3 q = p - look * clouds.light_direction.xyz;
+  CloudPlace place = cloud_place_beside(from, q);
+  float there = cloud_body(place, q, look) - 0.5 * kCloudErosion * clouds.form.z;
+  float on = clamp(there, 0.0, 1.0);
+  float rest = look * (cloud_mean_ramp(inside, there, kCloudEdgeWidth) + 14.0 * on);
+  return mix(clouds.layer.z * from.kind.extinction * rest, map.y, map.z * clamp(8.0 * on, 0.0, 1.0));
+}
+
+// Optical depths between such a place and both ends of the light's ray through it. x, toward the light: some steps
+// that double, each with the mean between its ends as along the ray, and the shadow map beyond. y, on from the place.
+vec2 depths_along_light(CloudPlace from, float inside, vec3 p, float footprint, int steps) {
   vec3 toward = clouds.light_direction.xyz;
   float step_length = 60.0 * clouds.form.w;
   float along = 0.0;
   float depth = 0.0;
+  float before = inside;
   for (int i = 0; i < steps; ++i) {
     along += step_length;
     vec3 q = p + toward * along;
     CloudPlace place = cloud_place_beside(from, q);
     float there = cloud_body(place, q, max(footprint, 0.5 * step_length)) - 0.5 * kCloudErosion * clouds.form.z;
     depth += step_length * clouds.layer.z * place.kind.extinction * cloud_filling(place.x) *
-             cloud_mean_ramp(inside, there, kCloudEdgeWidth);
-    inside = there;
+             cloud_mean_ramp(before, there, kCloudEdgeWidth);
+    before = there;
     step_length *= 2.0;
   }
-  for (int i = 0; i < min(steps, SHADOW_MAP); ++i) depth += cloud_shadow_depth(p + toward * along);
-  return depth;
-}
-
-// Optical depth between a place and the far side of its cloud, away from the light: as far as one sample
-// can tell.
-float depth_beyond(CloudPlace from, float inside, vec3 p) {
-  float look = 140.0 * clouds.form.w;
-  vec3 q = p - look * clouds.light_direction.xyz;
-  CloudPlace place = cloud_place_beside(from, q);
-  float there = cloud_body(place, q, look) - 0.5 * kCloudErosion * clouds.form.z;
-  float rest = look * (cloud_mean_ramp(inside, there, kCloudEdgeWidth) + 3.0 * clamp(there, 0.0, 1.0));
-  return clouds.layer.z * from.kind.extinction * rest;
+  vec3 map = vec3(0.0);
+  for (int i = 0; i < min(steps, SHADOW_MAP); ++i) {
+    map = cloud_shadow_depths(p + toward * along, cloud_altitude(p));
+    depth += map.x * map.z;
+  }
+  return vec2(depth, depth_beyond(from, inside, p, map));
 }
 
 // Light leaving a place toward the eye, per unit of optical depth: that of a slab as thick as the cloud is
@@ -112,29 +126,24 @@ vec3 cloud_leaving(CloudRay ray, CloudPlace place, vec3 p, float to_light, float
                    clamp((cloud_altitude(p) - clouds.layer.x) / (clouds.layer.y - clouds.layer.x), 0.0, 1.0));
   float level = clamp(clouds.light_direction.y, 0.0, 1.0);
   float above_light = to_light * clouds.light.x;
-  // A heap faces the light, a layer lies flat.
-  float facing = mix(max(level, 0.1), 1.0, clamp(place.kind.roughness, 0.0, 1.0));
-  // Optical depths down to the base and up to the top.
-  float full = clouds.layer.z * place.kind.extinction * clamp(place.inside, 0.05, 1.0) *
-               place.kind.thickness * clouds.form.w;
-  // Across the light's way it leaks out of base and top, and a heap's out of its sides as well: it is about
-  // as wide as high.
-  float open = 1.0 - level * level + clamp(place.kind.roughness, 0.0, 1.0);
-  float leak = sqrt(open) * cloud_leak(full, ray.g);
-  CloudField field = cloud_field(above_light, above_light + beyond * clouds.light.x, facing, ray.g, leak);
-  float below = full * x, above = full * (1.0 - x);
-  // Across the light's way the field leaks out of base and top: a parabola that ends 2/3 of a scaled
-  // mean free path beyond either.
+  // A layer lies flat; across the light's way its field leaks out of base and top: a parabola that ends 2/3 of a
+  // scaled mean free path beyond either. A heap has sides: light comes in by them and goes out by them, and the sky
+  // shows on all of them.
+  float heap = clamp(place.kind.round_sharply * (1.0 / 0.9), 0.0, 1.0);
+  float full = clouds.layer.z * place.kind.extinction * place.kind.thickness * clouds.form.w;
   float scaled = 1.0 - ray.g;
   float middle = 0.5 * scaled * full + kMarshak;
-  float kept = (scaled * below + kMarshak) * (scaled * above + kMarshak) / (middle * middle);
-  kept = mix(kept, 1.0, level * level);
+  float kept = (scaled * full * x + kMarshak) * (scaled * full * (1.0 - x) + kMarshak) / (middle * middle);
+  kept = mix(kept, 1.0, level * level * level * level);
+  float leak = kHeapLeak * heap;
+  float facing = mix(max(level, 0.1), kHeapFacing, heap);
+  float taken = mix(max(level, 0.1) * kept, (kHeapTakes.x + kHeapTakes.y * level) * (0.72 + 0.56 * x), heap);
+  vec3 ambient = cloud_ambient(full * (1.0 - x), full, ray.from_above, ray.from_below, ray.direction.y, ray.g);
+  ambient = mix(ambient, mix(ray.from_below, ray.from_above, 0.7 + 0.3 * x), heap);
+  CloudField field = cloud_field(above_light, above_light + beyond * clouds.light.x, facing, ray.g, leak);
   float powder = mix(1.0, cloud_powder(above_light), clouds.ambient.x * clamp(0.5 - 0.5 * ray.cosine, 0.0, 1.0));
-  float spread = kFieldGain * kept * max(field.mean + kFieldTilt * ray.g * field.tilt * ray.cosine, 0.0);
+  float spread = kFieldGain * (taken / facing) * max(field.mean + kFieldTilt * ray.g * field.tilt * ray.cosine, 0.0);
   float sunlit = powder * (ray.phase * field.once + ray.blurred * field.forward) + spread;
-  vec3 ambient = cloud_ambient(above, above + below, ray.from_above, ray.from_below, ray.direction.y, ray.g);
-  // Near an edge the sky shows from the side as well.
-  ambient = mix(0.5 * (ray.from_above + ray.from_below), ambient, clamp(0.4 + 1.5 * place.inside, 0.0, 1.0));
   vec3 leaving = light * max(sunlit, clouds.light.z * 0.25 / kPhasePi) + ambient;
   for (int i = 0; i < int(clouds.flash.w > 0.0); ++i) {
     leaving += kFlashColour * clouds.flash.w * cloud_glow(distance(p, clouds.flash.xyz));
@@ -182,8 +191,8 @@ CloudSight march_low(CloudRay ray, float near, float far, int light_steps) {
     // Lit only where it shows; what hardly does has the light of the place before.
     bool shows = share > kShows || (share > 0.0 && weight == 0.0);
     for (int i = 0; i < int(shows); ++i) {
-      float to_light = depth_to_light(place, inside, p, footprint, light_steps);
-      source = cloud_leaving(ray, place, p, to_light, depth_beyond(place, inside, p));
+      vec2 depths = depths_along_light(place, inside, p, footprint, light_steps);
+      source = cloud_leaving(ray, place, p, depths.x, depths.y);
     }
     sight.radiance += share * source;
     weight += share;

@@ -70,24 +70,56 @@ float phase_toward(float cosine) {
   return mix(0.25 / kPhasePi, phase, clouds.phase.w);
 }
 
-// Two lobes of Henyey and Greenstein near to that phase function, of which turns are drawn: g of the first and
-// of the second, share of the second.
-vec3 drawn_lobes() {
-  DropletPhase droplets = droplet_phase(clouds.march.y);
-  return clouds.march.y > 0.0 ? vec3(droplets.g_peak, droplets.g_lobe, droplets.lobe)
-                              : vec3(clouds.phase.x, -clouds.phase.y, clouds.phase.z);
+// The same with the peak straight on drawn wide, for light that meets a path which has been turned already. The
+// path's ways are spread far wider than the peak by then, so their mean is as before; but a way that happened
+// to point at the light was worth thousands, and the mean of hundreds of paths still hung on a few.
+float soft_phase_toward(float cosine) {
+  const float kSoft = 0.9;
+  float lobes = dual_henyey_greenstein(min(clouds.phase.x, kSoft), -clouds.phase.y, clouds.phase.z, cosine);
+  for (int i = 0; i < int(clouds.march.y > 0.0); ++i) {
+    DropletPhase droplets = droplet_phase(clouds.march.y);
+    droplets.g_peak = min(droplets.g_peak, kSoft);
+    lobes = droplet_scattering_with_bows(droplets, droplet_bows(clouds.march.y, 0.55), cosine);
+  }
+  return mix(0.25 / kPhasePi, lobes, clouds.phase.w);
 }
 
-// A turn's cosine, and what the light is worth after it: phase function over the density it was drawn with.
-vec2 random_turn() {
-  vec3 lobes = drawn_lobes();
-  bool even = random_share() >= clouds.phase.w;
-  float g = random_share() < lobes.z ? lobes.y : lobes.x;
+float random_henyey_greenstein(float g) {
   float u = random_share();
   float r = (1.0 - g * g) / (1.0 - g + 2.0 * g * u);
-  float cosine = even || abs(g) < 1.0e-3 ? 2.0 * u - 1.0 : clamp((1.0 + g * g - r * r) / (2.0 * g), -1.0, 1.0);
-  float density = mix(0.25 / kPhasePi, dual_henyey_greenstein(lobes.x, lobes.y, lobes.z, cosine), clouds.phase.w);
-  return vec2(cosine, phase_toward(cosine) / density);
+  return abs(g) < 1.0e-3 ? 2.0 * u - 1.0 : clamp((1.0 + g * g - r * r) / (2.0 * g), -1.0, 1.0);
+}
+
+struct Turn {
+  float cosine;
+  bool wide;  // by anything but the peak straight on
+};
+
+// A turn by droplets: peak, Draine's lobe (of Henyey's and Greenstein's turns those that it keeps), fog bow, glory.
+Turn droplet_turn() {
+  DropletPhase droplets = droplet_phase(clouds.march.y);
+  DropletBows bows = droplet_bows(clouds.march.y, 0.55);
+  float which = random_share();
+  if (which < bows.glory) return Turn(max(-1.0 - bows.glory_width * log(1.0 - random_share()), -1.0), true);
+  if (which < bows.glory + bows.bow) {
+    float bell = sqrt(-2.0 * log(1.0 - random_share())) * cos(2.0 * kPhasePi * random_share());
+    return Turn(clamp(bows.bow_cosine + bows.bow_width * bell, -1.0, 1.0), true);
+  }
+  if (random_share() >= droplets.lobe) return Turn(random_henyey_greenstein(droplets.g_peak), false);
+  float cosine = 1.0;
+  for (int i = 0; i < 64; ++i) {
+    cosine = random_henyey_greenstein(droplets.g_lobe);
+    if (random_share() * (1.0 + droplets.alpha) < 1.0 + droplets.alpha * cosine * cosine) break;
+  }
+  return Turn(cosine, true);
+}
+
+// A turn drawn from phase_toward().
+Turn random_turn() {
+  if (random_share() >= clouds.phase.w) return Turn(2.0 * random_share() - 1.0, true);
+  if (clouds.march.y > 0.0) return droplet_turn();
+  bool second = random_share() < clouds.phase.z;
+  return Turn(random_henyey_greenstein(second ? -clouds.phase.y : clouds.phase.x), second || clouds.phase.x < 0.9);
 }
 
 vec3 turned(vec3 direction, float cosine) {
@@ -108,13 +140,16 @@ vec3 light_at(vec3 p) {
 // What a path brings back that met its first droplet at p.
 vec3 trace(vec3 p, vec3 direction, vec3 from_below) {
   vec3 light = vec3(0.0);
+  vec3 toward = clouds.light_direction.xyz;
+  bool wide = false;
   float worth = 1.0;
   for (int turn = 0; turn < kMostTurns; ++turn) {
-    vec3 toward = clouds.light_direction.xyz;
-    light += worth * phase_toward(dot(direction, toward)) * light_through(p, toward) * light_at(p);
-    vec2 turn_drawn = random_turn();
-    direction = turned(direction, turn_drawn.x);
-    worth *= turn_drawn.y;
+    float cosine = dot(direction, toward);
+    float phase = wide ? soft_phase_toward(cosine) : phase_toward(cosine);
+    light += worth * phase * light_through(p, toward) * light_at(p);
+    Turn drawn = random_turn();
+    wide = wide || drawn.wide;
+    direction = turned(direction, drawn.cosine);
     float t = next_droplet(p, direction);
     if (t < 0.0) {
       vec3 sky = clouds.ambient.y * sky_radiance(direction);

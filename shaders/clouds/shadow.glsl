@@ -18,13 +18,21 @@ float cloud_shadow_known(vec2 at) {
   return clamp(min(inside.x, inside.y), 0.0, 1.0);
 }
 
-// Optical depth between a place and the light.
-float cloud_shadow_depth(vec3 relative) {
+// Of the light's ray through a place: optical depth between it and the light; that behind another place on the ray,
+// at a height of `behind` (m); how far the map knows them, 0 to 1.
+vec3 cloud_shadow_depths(vec3 relative, float behind) {
   float altitude = clouds.eye.x + relative.y + dot(relative.xz, relative.xz) * clouds.eye.y;
   vec2 at = cloud_shadow_at(relative, altitude);
   vec4 map = textureLod(cloud_shadow_map, at, 0.0);
-  float below = max(map.g - altitude, 0.0) / clouds.shadow_light.y;
-  return min(map.r, map.b * below) * cloud_shadow_known(at);
+  vec2 below = max(map.gg - vec2(altitude, behind), vec2(0.0)) / clouds.shadow_light.y;
+  vec2 depths = min(map.rr, map.b * below);
+  return vec3(depths.x, map.r - depths.y, cloud_shadow_known(at));
+}
+
+// Optical depth between a place and the light.
+float cloud_shadow_depth(vec3 relative) {
+  vec3 depths = cloud_shadow_depths(relative, 0.0);
+  return depths.x * depths.z;
 }
 
 // Share of the brighter light's illuminance that reaches a point, relative to the camera, as a beam. What

@@ -1,6 +1,6 @@
 // Shafts: air in the shadow of a cloud scatters less. The picture's air (AirLight) is that of a clear sky;
-// what the clouds keep from it is taken away again: single scattering integrated along the ray, never
-// more than the air has given. Needs clouds/shadow.glsl, clouds/air.glsl and the includer's uniforms before it.
+// what the clouds keep from it is taken away again: single scattering integrated along the ray, as a share of
+// the sky's radiance there. So of the sky just that is missing, and of darker things no more than they have. Needs clouds/shadow.glsl, clouds/air.glsl and the includer's uniforms before it.
 
 // What is left of the light at a place: of its beam (x), and in all (y; Eddington's transmittance,
 // lib/cloud_scattering.glsl), behind this optical depth of cloud.
@@ -26,8 +26,8 @@ vec2 kept_by_weather(vec3 p) {
   return mix(vec2(1.0), kept_behind(depth), covered);
 }
 
-// Radiance (cd/m^2) that is missing along `span`.
-vec3 shaft_missing(vec3 direction, CloudSpan span, float jitter) {
+// Share of what is seen that is missing along `span`.
+float shaft_missing(vec3 direction, CloudSpan span, float jitter) {
   float far = min(span.far, span.near + kShaftReach);
   float cosine = dot(direction, clouds.light_direction.xyz);
   bool by_day = frame.sun_illuminance.g >= frame.moon_illuminance.g;
@@ -59,6 +59,6 @@ vec3 shaft_missing(vec3 direction, CloudSpan span, float jitter) {
     missing += u * exp(-depth) * (beam - spread) * mix(lux, max(lux_aloft, lux), min(height * rise, 1.0));
   }
   missing *= 2.0 * (far - span.near) / float(steps.x);
-  vec3 given = cloud_air(direction, far, cloud_altitude(direction * far)).inscattered;
-  return amount.x * clamp(missing, vec3(0.0), 0.95 * given);
+  float given = cloud_air(direction, far, cloud_altitude(direction * far)).inscattered.g;
+  return amount.x * clamp(missing.g, 0.0, 0.95 * given) / max(sky_radiance(direction).g, 1.0e-9);
 }

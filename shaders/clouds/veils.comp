@@ -1,6 +1,6 @@
 // What hangs in the air between the sea and the clouds, at a fraction of the picture's size: shafts of light
-// and shadow, and rain. Stored are the rain's radiance less what shafts of shadow lack (× exposure), and
-// the share of everything behind that shows through the rain.
+// and shadow, and rain. Stored are the rain's radiance × exposure and the share of everything behind
+// that is left.
 #include "shared/frame.h"
 #include "sky/sky.glsl"
 #include "clouds/density.glsl"
@@ -34,7 +34,7 @@ void main() {
   float jitter = spread_noise(vec2(texel));
   // From the sea up to the bases.
   CloudSpan span = cloud_shell(max(clouds.eye.x, 1.0), direction.y, clouds.eye.y, 0.0, clouds.layer.w);
-  vec3 missing = vec3(0.0);
+  float missing = 0.0;
   // Loops that run once or not at all: a CPU renderer runs both sides of an if.
   bool any = span.far > span.near;
   for (int i = 0; i < int(any && steps.x > 0); ++i) missing = shaft_missing(direction, span, jitter);
@@ -42,6 +42,6 @@ void main() {
   rain.light = vec3(0.0);
   rain.transmittance = 1.0;
   for (int i = 0; i < int(any && steps.y > 0); ++i) rain = rain_veil(direction, span, jitter);
-  vec3 light = clamp((rain.light - rain.transmittance * missing) * frame.time.z, vec3(-30000.0), vec3(30000.0));
-  imageStore(veils, texel, vec4(light, rain.transmittance));
+  vec3 light = min(rain.light * frame.time.z, vec3(30000.0));
+  imageStore(veils, texel, vec4(light, rain.transmittance * (1.0 - missing)));
 }

@@ -41,7 +41,7 @@ struct CloudField {
 // The light in a cloud at a place with optical depth `above` along the ray to the light, of `total` on
 // the whole ray (before and behind). `cosine` is that of the light with the normal of the slab that the
 // cloud resembles: the sine of the sun's elevation for a layer, 1 for a heap. `g` is the droplets' mean
-// cosine (-.9 to .9). `leak` (below) is 0 for a slab without end to its sides.
+// cosine (-.9 to .9). `leak`, k below, is 0 for a slab without end to its sides.
 //
 // In optical depths t of the scaled slab Eddington's equations are
 //   dI1/dt = -(k^2 / turned) I0 + (q/c) e^(-t/c)      dI0/dt = -turned I1 + q g' e^(-t/c)
@@ -77,12 +77,6 @@ CloudField cloud_field(float above, float total, float cosine, float g, float le
   float slope = k * (end * from_end - top * from_top) - p / c * beam;  // dI0/dt
   f.tilt = (q * beam - slope) / turned - q * beam;
   return f;
-}
-
-// k of a cloud that is `width` across, in optical depths: its lowest mode ends 2/3 of a scaled mean free
-// path outside either side.
-float cloud_leak(float width, float g) {
-  return kPhasePi / ((1.0 - g * g) * width + 2.0 * kMarshak * (1.0 + g));
 }
 
 // J / E. `phase` is p at the angle between light and eye, `angle_cosine` its cosine (1: looking into

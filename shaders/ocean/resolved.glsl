@@ -1,5 +1,5 @@
 // What a pixel shows of the waves, of CASCADES of them, and what it does not. Needs ocean/surface.glsl and
-// lib/water.glsl before it. With PICK_LEVELS a pixel reads one of two map levels, by sea_die().
+// lib/water.glsl before it; with RIPPLES ocean/ripples.glsl. With PICK_LEVELS a pixel reads one of two map levels, by sea_die().
 
 const int kMostBreaking = min(CASCADES, 2);  // cascades whose waves can be long enough to break
 
@@ -40,23 +40,6 @@ void add_cascade(int c, vec2 parameter, float size, inout vec4 sum, inout vec3 s
   }
 }
 
-#ifdef RIPPLES
-// Slope of ripples that no cascade carries: the finest one's picture, smaller, carried along by as much as
-// real ones are faster. (Short waves hold much the same slope in each octave: Phillips 1958.)
-vec2 ripples(vec2 parameter, float size) {
-  const int kFinest = CASCADES - 1;
-  float level = sea_map_level_log2(kFinest, size - log2(kRippleScale));
-  float share = sea_map_share(level) * ocean.grid[kFinest].w;
-  vec2 g = ocean.grid[kFinest].xy / kRippleScale;
-  vec2 away = vec2(g.x * parameter.x + g.y * parameter.y, g.x * parameter.y - g.y * parameter.x);
-  vec3 place = vec3(ocean.origin[kFinest].zw + away, float(kFinest));
-#ifdef PICK_LEVELS
-  level = sea_map_level_picked(level, sea_die());
-#endif
-  return share * textureLod(sea_slopes, place, level).xy;
-}
-#endif
-
 // `parameter`: the water at rest (m, relative to the camera); `footprint`: m; `gust`: what the local wind
 // does to the variance of ripples.
 Surface read_surface(vec2 parameter, float footprint, float gust) {
@@ -70,7 +53,7 @@ Surface read_surface(vec2 parameter, float footprint, float gust) {
   if (CASCADES > 3) add_cascade(3, parameter, size, sum, squeeze);
   if (CASCADES > 4) add_cascade(4, parameter, size, sum, squeeze);
 #ifdef RIPPLES
-  sum.xy += sqrt(gust) * ripples(parameter, size);
+  sum.xy += sqrt(gust) * ripples(CASCADES - 1, parameter, size);
 #endif
   Surface surface;
   surface.slope = surface_slope(sum.x, sum.y, sum.z, sum.w, squeeze.z);

@@ -13,6 +13,7 @@
 #include "boat/shadow.glsl"
 #include "ocean/hull_shade.glsl"
 #endif
+#include "ocean/ripples.glsl"
 #include "ocean/resolved.glsl"
 #include "ocean/foam.glsl"
 #include "ocean/glints.glsl"

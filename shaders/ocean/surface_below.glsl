@@ -1,5 +1,5 @@
 // The sea's surface seen from the water. Needs shared/frame.h, shared/ocean.h, sky/sky.glsl,
-// sky/probe.glsl, ocean/surface.glsl, ocean/foam.glsl and ocean/underwater.glsl before it.
+// sky/probe.glsl, ocean/surface.glsl, ocean/ripples.glsl, ocean/foam.glsl and ocean/underwater.glsl before it.
 
 struct Underside {
   vec2 slope;       // in space
@@ -21,6 +21,9 @@ Underside read_underside(vec2 parameter, float footprint) {
     cross_term += share * textureLod(sea_displacement, place, level).w;
     if (c < int(ocean.foam.z)) squeeze = vec3(sum.zw, cross_term);
   }
+#ifdef RIPPLES
+  sum.xy += ripples(cascades - 1, parameter, log2(footprint));
+#endif
   Underside under;
   under.slope = surface_slope(sum.x, sum.y, sum.z, sum.w, cross_term);
   under.covariance = max(sea_missing(log2(footprint)).xyz, vec3(4.0e-4, 4.0e-4, -1.0));

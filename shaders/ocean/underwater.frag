@@ -9,6 +9,7 @@
 #define STREAKS
 #include "ocean/foam.glsl"
 #include "ocean/underwater.glsl"
+#include "ocean/ripples.glsl"
 #include "ocean/surface_below.glsl"
 #include "lib/tonemap.glsl"
 

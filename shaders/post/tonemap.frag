@@ -26,11 +26,11 @@ void main() {
 #endif
   colour *= state.factor;
 #ifdef EXPONENTIAL
-  vec3 shown = tonemap_exponential(colour);
+  vec3 shown = srgb_from_linear(clamp(tonemap_exponential(colour), vec3(0.0), vec3(1.0)));
 #else
-  vec3 shown = tonemap_filmic(colour);
+  vec3 shown = display_filmic(min(colour, vec3(1.0e9)));
 #endif
   vec3 noise = vec3(dither(gl_FragCoord.xy), dither(gl_FragCoord.xy + vec2(47.0, 17.0)),
                     dither(gl_FragCoord.xy + vec2(13.0, 71.0)));
-  display = vec4(srgb_from_linear(clamp(shown, vec3(0.0), vec3(1.0))) + noise, 1.0);
+  display = vec4(shown + noise, 1.0);
 }

@@ -26,7 +26,7 @@ struct FrameData {
   vec4 sky_illuminance;    // rgb: lux on a horizontal surface from the sky without the discs; w: unused
   vec4 wind;               // x, z: velocity at 10 m (m/s); y: gusts 0 to 1; w: speed at 10 m
   vec4 time;               // x: sea time modulo 4096 s, y: step of this frame (s), z: exposure, w: frame number
-  vec4 haze;               // rgb: extinction of the air at sea level (1/m); w: unused
+  vec4 haze;               // rgb: extinction of the air, mean of the way from the camera down to the sea (1/m); w: unused
   vec4 flash_direction;    // xyz: toward lightning inside a cloud; w: 1 - cosine of half the angle that it glows over; 0: none
   vec4 flash_illuminance;  // rgb: lux at the camera on a surface facing it
 };

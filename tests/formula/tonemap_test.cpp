@@ -44,6 +44,16 @@ TEST(Filmic, IsSmoothMonotoneAndEndsInWhite) {
   EXPECT_GT(fire.z, 0.95);  // far too bright a colour ends in white
 }
 
+TEST(Filmic, IsDrawnWithinAQuarterOfAStep) {
+  double last = 0.0;
+  for (double x = 0.0; x < 1.0e4; x += 1e-5 + 1e-3 * x) {
+    const double shown = filmic_display(x);
+    EXPECT_NEAR(shown, srgb_from_linear(filmic_curve(x)), 0.25 / 255.0) << x;
+    EXPECT_GT(shown, last - 0.45 / 255.0) << x;  // where the pieces meet
+    last = std::max(last, shown);
+  }
+}
+
 TEST(Exponential, KnownPoints) {
   EXPECT_NEAR(tonemap_exponential(vec3(1.0, 0.0, 100.0)).x, 1.0 - std::exp(-1.0), 1e-12);
   EXPECT_EQ(tonemap_exponential(vec3(0.0)).x, 0.0);

@@ -16,9 +16,9 @@ namespace {
 
 using glm::dvec3;
 
-constexpr int kWidth = 96, kHeight = 64, kCell = 8;
+constexpr int kWidth = 96, kHeight = 64;
 
-/// Shafts alone, over an even background, under scattered clouds.
+/// Shafts alone, over the clear sky, under scattered clouds.
 class ShaftsTest : public test::SkyGraphTest {
  protected:
   void SetUp() override {
@@ -36,13 +36,13 @@ class ShaftsTest : public test::SkyGraphTest {
   }
 
   struct Seen {
-    std::vector<float> picture, shadow;  ///< less the background; the shadow map's texels
+    std::vector<double> taken;  ///< of each pixel, green, cd/m^2
+    std::vector<float> shadow;  ///< the shadow map's texels
     shared::CloudData data;
     shared::FrameData frame;
   };
 
   Seen draw(const CelestialState& sun, double haze, double azimuth_deg, double pitch_deg) {
-    constexpr float kBehind = 1.0f;
     CloudField field(*shaders_);
     CloudShadow shadow(*shaders_);
     CloudVeils veils(*shaders_, 0);
@@ -55,8 +55,9 @@ class ShaftsTest : public test::SkyGraphTest {
     Seen seen;
     seen.frame =
         test::camera_toward(test::toward(azimuth_deg, pitch_deg), 20.0, kWidth, kHeight, kEye);
-    const float behind[4] = {kBehind, kBehind, kBehind, 1}, nothing = 0.0f;
-    glClearTexImage(hdr_.id(), 0, GL_RGBA, GL_FLOAT, behind);
+    const float black[4] = {0, 0, 0, 1}, nothing = 0.0f;
+    std::vector<float> clear;
+    glClearTexImage(hdr_.id(), 0, GL_RGBA, GL_FLOAT, black);
     glClearTexImage(depth_.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, &nothing);
     const SkyIds sky = begin_frame(seen.frame, light_);
     seen.data = cloud_data(view, light_);
@@ -64,6 +65,10 @@ class ShaftsTest : public test::SkyGraphTest {
     const CloudIds ids = field.add(*graph_, view, seen.data);
     const CloudShadowIds shadow_ids = shadow.add(*graph_, field, ids, view);
     const TextureId picture = graph_->import(hdr_);
+    sky_->add_background(*graph_, light_, sky, picture, graph_->import(depth_), true);
+    graph_->add(
+        "clear", [&](PassBuilder& pass) { pass.modify(picture).side_effect(); },
+        [&](const PassContext& context) { clear = context.texture(picture).read_floats(4); });
     veils.add(*graph_, field, ids, *sky_, sky, shadow, shadow_ids, view,
               {{kWidth, kHeight}, seen.frame.clip_from_relative, view.eye, light_.exposure},
               picture, graph_->import(depth_), true);
@@ -73,9 +78,9 @@ class ShaftsTest : public test::SkyGraphTest {
           seen.shadow = context.texture(shadow_ids.map).read_floats(4);
         });
     graph_->execute();
-    seen.picture = hdr_.read_floats(4);
-    for (float& value : seen.picture) {
-      value = (value - kBehind) / static_cast<float>(light_.exposure);
+    const std::vector<float> shaded = hdr_.read_floats(4);
+    for (std::size_t i = 1; i < shaded.size(); i += 4) {
+      seen.taken.push_back((clear[i] - shaded[i]) / light_.exposure);
     }
     return seen;
   }
@@ -149,7 +154,7 @@ TEST_F(ShaftsTest, TakeTheLightThatTheAirInShadowDoesNotScatter) {
         }
         const dvec3 rgb = glsl::srgb_from_bands(sum) * light_.sun_source;
         const double missing = rgb.y;
-        const double taken = -seen.picture[static_cast<std::size_t>(4 * (y * kWidth + x) + 1)];
+        const double taken = seen.taken[static_cast<std::size_t>(y * kWidth + x)];
         wanted += missing;
         shown += taken;
         both += missing * taken;

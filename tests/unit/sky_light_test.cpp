@@ -7,6 +7,8 @@
 
 #include "engine/core/angles.h"
 #include "engine/environment/calendar.h"
+#include "engine/sky/air_reference.h"
+#include "shaders/shared/frame.h"
 
 namespace offing {
 namespace {
@@ -118,6 +120,32 @@ TEST(SkyLight, TotalityIsADeepTwilight) {
   EXPECT_LT(luminance(l.sun_illuminance), 0.1 * luminance(l.sky_illuminance));
   EXPECT_GT(l.umbra_horizon.x, 2.0 * l.umbra_horizon.z);  // orange, and blue above it
   EXPECT_GT(l.airglow.z, 2.0 * l.airglow.x);
+}
+
+TEST(SkyLight, TheSeaIsSeenThroughTheAirThatLiesBefore) {
+  // From a mast, a hill and an airliner: what air of such mean extinction lets through is what the
+  // way from the sea to the top of the air does, over that from the eye on.
+  for (const double haze : {0.1, 0.2, 0.5}) {
+    const AirReference reference(haze);
+    for (const double height : {10.0, 500.0, 10000.0}) {
+      SkyLightModel model;
+      shared::FrameData frame{};
+      model.update(sky_with(45.0, -40.0, 90.0), haze, height).fill(frame);
+      for (const double down_deg : {90.0, 45.0, 15.0}) {
+        // A straight ray from a place at sea level; on a sphere its cosine grows on the way.
+        const double cosine = std::sin(radians(down_deg)), r = 6360.0, km = height * 1e-3;
+        const double along =
+            -r * cosine + std::sqrt(r * r * cosine * cosine + 2 * r * km + km * km);
+        const double there = (r * cosine + along) / (r + km);
+        const glm::dvec3 wanted =
+            reference.transmittance(0.0, cosine) / reference.transmittance(km, there);
+        for (int c = 0; c < 3; ++c) {
+          const double shown = std::exp(-static_cast<double>(frame.haze[c]) * along * 1e3);
+          EXPECT_NEAR(shown, wanted[c], 0.01) << haze << " " << height << " " << down_deg;
+        }
+      }
+    }
+  }
 }
 
 TEST(Eclipse, CoveredAreaOfAnEvenMoon) {
