@@ -16,8 +16,8 @@ constexpr int kSteps = 4096, kStepsAtOnce = 256;
 
 ShaderDefines defines() {
   // march.glsl wants its quality; the references only take its light.
-  return {{"STEPS", "1"},     {"SKIPS", "1"},    {"LIGHT_STEPS", "1"},
-          {"FINEST", "10.0"}, {"GROWTH", "0.0"}, {"REACH", "90000.0"}};
+  return {{"STEPS", "1"},    {"SKIPS", "1"},       {"LIGHT_STEPS", "1"},  {"FINEST", "10.0"},
+          {"GROWTH", "0.0"}, {"REACH", "90000.0"}, {"CLOUDS_BRANCH", "1"}};
 }
 
 gl::Texture empty(const char* label, GLenum format, glm::ivec2 size) {

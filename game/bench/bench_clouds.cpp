@@ -212,7 +212,8 @@ Runs runs_of(const std::vector<Setting>& list) {
 /// The main source's march: light of its own clouds, and what it costs.
 CloudSightings fixed_step(CloudRun& run, const FrameView& view, double step_length, int light_steps,
                           double* ms) {
-  const ShaderProgram& program = run.shaders().program({"clouds/fixed_step.comp"});
+  const ShaderProgram& program =
+      run.shaders().program({"clouds/fixed_step.comp"}, {{"CLOUDS_WITHOUT_STORMS", "1"}});
   const gl::Texture light("clouds fixed step",
                           {.format = GL_RGBA32F, .width = view.size.x, .height = view.size.y});
   const bool software = gl::current_renderer().software;

@@ -39,6 +39,16 @@ CloudColumn cloud_column(vec2 plan) {
   return cloud_column_from(textureLod(cloud_weather, cloud_weather_at(plan), 0.0), plan);
 }
 
+// Before what only storms need. A loop that runs once or not at all, since a CPU renderer runs both sides of a
+// branch; but it counts the rounds as well, so a reference, which has many, says CLOUDS_BRANCH.
+#if defined(CLOUDS_WITHOUT_STORMS)
+#define WHERE_STORMS_STAND if (false)
+#elif defined(CLOUDS_BRANCH)
+#define WHERE_STORMS_STAND if (clouds.eye.w > 0.0)
+#else
+#define WHERE_STORMS_STAND for (int once = 0; once < int(clouds.eye.w > 0.0); ++once)
+#endif
+
 // A place in its column: all that needs no noise.
 struct CloudPlace {
   CloudKind kind;
@@ -81,7 +91,7 @@ CloudPlace cloud_place_in(CloudPlace place, float excess, float rain, float alti
   place.inside = cloud_strength(place.kind, excess) - clouds.form.x - cloud_outline(place.kind, place.x);
   place.freedom = place.kind.roughness * clouds.form.y * cloud_freedom(place.x);
   place.smoothed = 0.0;
-  for (int i = 0; i < int(clouds.eye.w > 0.0); ++i) place = cloud_place_in_storm(place, rain, altitude);
+  WHERE_STORMS_STAND place = cloud_place_in_storm(place, rain, altitude);
   return place;
 }
 
