@@ -110,7 +110,8 @@ CloudPlace cloud_place_beside(CloudPlace place, vec3 p) {
   float altitude = cloud_altitude(p);
   place.plan = cloud_unsheared(p, altitude);
   vec4 weather = textureLod(cloud_weather, cloud_weather_at(place.plan), 0.0);
-  place.kind = cloud_kind(weather.g);
+  // What a storm has mixed in is taken out again.
+  WHERE_STORMS_STAND place.kind = cloud_kind(weather.g);
   return cloud_place_in(place, weather.r - clouds.weather.w, weather.a, altitude);
 }
 

@@ -159,7 +159,7 @@ float weather_rain(float coverage, float fronts, float showers, float cover, flo
   float showery = normal_share((0.4 * fronts + 0.6 * showers - 0.5) / sqrt((0.16 + 0.36) / 12.0));
   float from = 1.0 - mix(0.9, 0.3, heaps) * precipitation;
   float full = mix(from + 0.35, 1.0, heaps);
-  return precipitation * clamp((mix(layered, showery, heaps) - from) / (full - from), 0.0, 1.0);
+  return precipitation * clamp((mix(layered, showery, heaps) - from) / max(full - from, 1.0e-4), 0.0, 1.0);
 }
 
 // ---- Container: a shell round the earth, or a box ------------------------------------------------
