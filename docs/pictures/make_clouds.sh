@@ -33,7 +33,7 @@ if [[ $wanted == *kinds* ]]; then
   shot 4storm 320x180 14:00:00 285 12 60 3 --set environment.clouds.cover=0.5 --set environment.clouds.precipitation=0.8 \
     --set camera.position=-4000,3,-2000 --set camera.target=-3134,200,-1500
   shot 5overcast 320x180 14:00:00 285 12 60 3 --set environment.clouds.cover=1 --set environment.clouds.type=0.5
-  shot 6cirrus 320x180 11:55:00 285 25 75 3 --set environment.clouds.cover=0.05 --set environment.clouds.high=0.5
+  shot 6cirrus 320x180 11:55:00 285 25 75 3 --set environment.clouds.cover=0.05 --set environment.clouds.high=0.5 --set environment.clouds.middle=0
   shot 7moon 320x180 22:00:00 149 14 60 3 --set environment.date=2026-08-26
   shot 8above 320x180 11:55:00 285 -12 60 3600
   shot 9among 320x180 11:55:00 285 3 60 1150

@@ -17,7 +17,8 @@ shot() {
   ./offing render --scene default --out "$work/$name.png" --size "$size" --quality medium --frames 1 --warmup 2 \
     --set environment.date="$date" --set environment.time="$time" --set camera.mode=free \
     --set camera.position=900,3,900 --set camera.target="$target" --set camera.fov="$fov" \
-    --set boat.position=4000,-4000 --set environment.clouds.cover=0 --set environment.clouds.high=0 "$@"
+    --set boat.position=4000,-4000 --set environment.clouds.cover=0 --set environment.clouds.high=0 \
+    --set environment.clouds.middle=0 "$@"
 }
 
 if [[ $wanted == *day* ]]; then

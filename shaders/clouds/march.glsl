@@ -23,7 +23,6 @@
 const float kShows = 1.0e-3;  // share of the picture that is worth being lit
 const float kLeast = LEAST;  // transmittance at which a ray has seen all that shows
 
-
 // Of a heap, whose faces stand at all slants to the light: found by comparing with the path tracer
 // (engine/clouds/LIGHT.md).
 const float kHeapLeak = 0.4;     // k, per scaled mean free path

@@ -1,6 +1,7 @@
 // Shafts: air in the shadow of a cloud scatters less. The picture's air (AirLight) is that of a clear sky;
 // what the clouds keep from it is taken away again: single scattering integrated along the ray, as a share of
-// the sky's radiance there. So of the sky just that is missing, and of darker things no more than they have. Needs clouds/shadow.glsl, clouds/air.glsl and the includer's uniforms before it.
+// the sky's radiance there. So of the sky just that is missing, and of darker things no more than they have. Needs
+// clouds/shadow.glsl, clouds/air.glsl and the includer's uniforms before it.
 
 // What is left of the light at a place: of its beam (x), and in all (y; Eddington's transmittance,
 // lib/cloud_scattering.glsl), behind this optical depth of cloud.
