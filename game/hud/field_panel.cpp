@@ -56,9 +56,9 @@ std::string label_of(const std::string& key) {
 
 }  // namespace
 
-void draw_fields(const FieldTable& table, std::string_view prefix) {
+void draw_fields(const FieldTable& table, std::string_view prefix, std::string_view except) {
   for (const Field& field : table.fields()) {
-    if (field.key.rfind(prefix, 0) != 0) continue;
+    if (field.key.rfind(prefix, 0) != 0 || field.key.rfind(except, 0) == 0) continue;
     const std::string label = label_of(field.key) + "##" + field.key;
     std::visit(Widget{field, label.c_str()}, field.target);
     if (ImGui::IsItemHovered()) {

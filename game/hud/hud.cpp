@@ -70,15 +70,26 @@ void draw_panel(World& world, const HudInfo& info) {
   ImGui::SetNextWindowPos({12.0f, 12.0f}, ImGuiCond_FirstUseEver);
   ImGui::SetNextWindowSize({390.0f, std::max(120.0f, height - 24.0f)}, ImGuiCond_FirstUseEver);
   ImGui::Begin("Weather, time and measures");
+  ImGui::PushItemWidth(-165.0f);  // what is left of it is the labels'
   const FieldTable table = world.scene().fields();
   draw_clock(world.environment());
   if (ImGui::CollapsingHeader("wind and weather", ImGuiTreeNodeFlags_DefaultOpen)) {
     draw_fields(table, "environment.wind.");
     draw_fields(table, "environment.gusts");
+    draw_fields(table, "environment.clouds.");
     draw_fields(table, "environment.haze");
     draw_fields(table, "environment.clock_rate");
   }
+  if (ImGui::CollapsingHeader("place")) {
+    draw_fields(table, "environment.latitude");
+    draw_fields(table, "environment.longitude");
+  }
+  if (ImGui::CollapsingHeader("clouds: form, light, effects")) {
+    draw_fields(table, "clouds.", "clouds.gardner.");
+  }
+  if (ImGui::CollapsingHeader("clouds: Gardner's")) draw_fields(table, "clouds.gardner.");
   if (ImGui::CollapsingHeader("painted sky")) draw_fields(table, "sky.palette");
+  if (ImGui::CollapsingHeader("exposure")) draw_fields(table, "exposure.");
   if (ImGui::CollapsingHeader("sea", ImGuiTreeNodeFlags_DefaultOpen)) {
     for (const char* prefix : {"sea.spectrum", "sea.spreading", "sea.fetch", "sea.depth",
                                "sea.choppiness", "sea.swell."}) {
@@ -92,6 +103,7 @@ void draw_panel(World& world, const HudInfo& info) {
     ImGui::TextDisabled("%s", info.renderer.c_str());
     draw_times(info);
   }
+  ImGui::PopItemWidth();
   ImGui::End();
 }
 
