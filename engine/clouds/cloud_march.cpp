@@ -17,6 +17,7 @@ namespace {
 constexpr int kDomeVertices = 96 * 3;  // as in sky/dome.vert
 /// Farther in one frame than anything flies, m; a turn that leaves nothing of the picture.
 constexpr double kCutDistance = 300.0, kCutCosine = 0.9;
+constexpr double kCutExposure = 0.2;  // in its logarithm: fog that comes from one frame to the next
 
 GLuint groups(int size) { return static_cast<GLuint>((size + 7) / 8); }
 
@@ -169,6 +170,7 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
       view.weather, view.seed, p.scale, p.density_threshold, p.density, p.extinction, p.base,
       p.container, p.shape_weights, p.detail_weights, p.roughness, p.erosion, p.brightness);
   const bool cut = !known_ || settings != settings_ ||
+                   std::abs(std::log(camera.exposure / before_.exposure)) > kCutExposure ||
                    glm::length(camera.eye - before_.eye) > kCutDistance ||
                    glm::dot(forward_of(camera), forward_of(before_)) < kCutCosine ||
                    glm::length(carried - carried_before_) > kCutDistance;
