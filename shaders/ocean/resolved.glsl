@@ -1,5 +1,6 @@
 // What a pixel shows of the waves, of CASCADES of them, and what it does not. Needs ocean/surface.glsl and
-// lib/water.glsl before it; with RIPPLES ocean/ripples.glsl. With PICK_LEVELS a pixel reads one of two map levels, by sea_die().
+// lib/water.glsl before it; with RIPPLES ocean/ripples.glsl. With PICK_LEVELS a pixel reads one of two map
+// levels, by sea_die().
 
 const int kMostBreaking = min(CASCADES, 2);  // cascades whose waves can be long enough to break
 

@@ -5,6 +5,7 @@
 #include "ocean/surface.glsl"
 float die = 0.0;
 float sea_die() { return die; }  // as in ocean/die.glsl, where there are pixels
+#include "ocean/ripples.glsl"
 #include "ocean/resolved.glsl"
 #include "ocean/foam.glsl"
 layout(local_size_x = 64) in;
