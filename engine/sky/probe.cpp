@@ -191,7 +191,7 @@ ProbeIds Probe::add(FrameGraph& graph, const SkyLight& light, double wind_speed,
       (moon_counts && angle(frame.state.moon, last_.moon) > kLeapAngle) ||
       std::abs(frame.state.haze - last_.haze) > kLeapHaze ||
       std::abs(std::log((frame.state.height + 100.0) / (last_.height + 100.0))) > kLeapHeight ||
-      frame.state.clouds != last_.clouds || frame.state.on != last_.on || again_;
+      frame.state.clouds != last_.clouds || frame.state.on != last_.on;
   frame.blends = frame.leap || blend_left_ > 0;
   if (!frame.leap && frame_ < frames_) {
     frame.builds = true;
@@ -224,7 +224,6 @@ ProbeIds Probe::add(FrameGraph& graph, const SkyLight& light, double wind_speed,
 }
 
 void Probe::run(const Frame& frame, const PassContext& context) {
-  const bool fresh = !complete_;
   frame.sky->bind(context, frame.sky_ids);
   if (frame.clouds) {
     context.texture(frame.clouds->map).bind(OFFING_UNIT_CLOUD_MAP);
@@ -247,7 +246,6 @@ void Probe::run(const Frame& frame, const PassContext& context) {
     }
   }
   if (frame.leap) blend(blend_left_ = 0);
-  again_ = frame.leap && !again_ && !fresh;
   last_ = frame.state;
 }
 

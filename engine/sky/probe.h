@@ -122,10 +122,7 @@ class Probe {
   bool on_ = true;         ///< of what is being made; off: the sky's tables as they are
   bool complete_ = false;  ///< there is a whole generation
   std::uint64_t key_ = 0;  ///< of the generation that was begun last
-  /// A leap, but for the first, is made twice: in a window llvmpipe's dispatches were seen to read
-  /// the uniforms of the frame before, and what they make stays for two generations.
-  bool again_ = false;
-  State last_{};  ///< when the pass last ran
+  State last_{};           ///< when the pass last ran
 };
 
 }  // namespace offing

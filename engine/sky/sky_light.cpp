@@ -290,7 +290,7 @@ const SkyLight& SkyLightModel::update(const CelestialState& celestial, double ha
   const double height_km = std::round(std::clamp(camera_height, 0.0, 20000.0) / 50.0) * 0.05;
   renew_air(haze, height_km, celestial);
   SkyLight& l = light_;
-  l.haze = haze;
+  l.haze = air_->haze;  // not `haze` while its air is still worked out: all changes in one frame
   l.camera_height = std::clamp(camera_height, 0.0, 20000.0);
   l.sun_direction = celestial.sun.direction();
   l.moon_direction = celestial.moon.direction();
@@ -342,7 +342,7 @@ const SkyLight& SkyLightModel::update(const CelestialState& celestial, double ha
                       air_->night_illuminance + kPi * air_->night_transmittance * umbra_zenith +
                       glsl::kUmbraBandIlluminance * l.umbra_horizon +
                       air_->night_transmittance * starlight_.illuminance(up) * milky_way_colour();
-  l.extinction = glsl::air_at(glsl::aerosol_of_haze(haze), 0.0).extinction * 1e-3;
+  l.extinction = glsl::air_at(air_->aerosol, 0.0).extinction * 1e-3;
   l.star_share =
       l.sun_uncovered < 0.01 ? 1.0 : 1.0 - smooth(-5.0, -3.0, celestial.sun.elevation_deg);
 

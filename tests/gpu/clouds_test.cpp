@@ -24,17 +24,13 @@ class CloudsTest : public test::SkyGraphTest {
     SkyGraphTest::SetUp();
     if (IsSkipped()) return;
     clouds_ = std::make_unique<Cloudscape>(*shaders_, 0);
-    hdr_ = gl::Texture("hdr", {.format = GL_RGBA16F, .width = kWidth, .height = kHeight});
-    depth_ =
-        gl::Texture("depth", {.format = GL_DEPTH_COMPONENT32F, .width = kWidth, .height = kHeight});
+    make_picture(GL_RGBA16F, kWidth, kHeight);
     view_.eye = {0.0, 3.0, 0.0};
     view_.elapsed = 100.0;
   }
 
   void TearDown() override {
     clouds_.reset();
-    hdr_ = {};
-    depth_ = {};
     SkyGraphTest::TearDown();
   }
 
@@ -80,7 +76,6 @@ class CloudsTest : public test::SkyGraphTest {
   }
 
   std::unique_ptr<Cloudscape> clouds_;
-  gl::Texture hdr_, depth_;
   CelestialState sun_ = test::sun_at(200.0, 40.0);
   CloudView view_;
   float background_ = 0.0f;  ///< behind the clouds

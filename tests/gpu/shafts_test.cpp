@@ -24,15 +24,7 @@ class ShaftsTest : public test::SkyGraphTest {
   void SetUp() override {
     SkyGraphTest::SetUp();
     if (IsSkipped()) return;
-    hdr_ = gl::Texture("hdr", {.format = GL_RGBA32F, .width = kWidth, .height = kHeight});
-    depth_ =
-        gl::Texture("depth", {.format = GL_DEPTH_COMPONENT32F, .width = kWidth, .height = kHeight});
-  }
-
-  void TearDown() override {
-    hdr_ = {};
-    depth_ = {};
-    SkyGraphTest::TearDown();
+    make_picture(GL_RGBA32F, kWidth, kHeight);
   }
 
   struct Seen {
@@ -86,8 +78,6 @@ class ShaftsTest : public test::SkyGraphTest {
   }
 
   static constexpr double kEye = 3.0;  // m
-  SkyLight light_;
-  gl::Texture hdr_, depth_;
 };
 
 /// Optical depth of cloud between a place (from the camera, m) and the light: the shadow map, read

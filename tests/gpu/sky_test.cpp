@@ -24,15 +24,7 @@ class SkyTest : public test::SkyGraphTest {
   void SetUp() override {
     SkyGraphTest::SetUp();
     if (IsSkipped()) return;
-    hdr_ = gl::Texture("hdr", {.format = GL_RGBA16F, .width = kWidth, .height = kHeight});
-    depth_ =
-        gl::Texture("depth", {.format = GL_DEPTH_COMPONENT32F, .width = kWidth, .height = kHeight});
-  }
-
-  void TearDown() override {
-    hdr_ = {};
-    depth_ = {};
-    SkyGraphTest::TearDown();
+    make_picture(GL_RGBA16F, kWidth, kHeight);
   }
 
   /// One frame toward a direction; the picture's pixels, bottom row first.
@@ -58,8 +50,6 @@ class SkyTest : public test::SkyGraphTest {
     const auto i = static_cast<std::size_t>(4 * (y * kWidth + x));
     return {picture[i], picture[i + 1], picture[i + 2]};
   }
-
-  gl::Texture hdr_, depth_;
 };
 
 using test::sun_at;

@@ -7,6 +7,7 @@
 
 #include "engine/core/angles.h"
 #include "engine/gl/buffer.h"
+#include "engine/gl/texture.h"
 #include "engine/sky/sky.h"
 #include "shaders/shared/bindings.h"
 #include "shaders/shared/frame.h"
@@ -63,6 +64,8 @@ class SkyGraphTest : public GraphTest {
   void TearDown() override {
     sky_.reset();
     frame_ = {};
+    hdr_ = {};
+    depth_ = {};
     GraphTest::TearDown();
   }
 
@@ -84,6 +87,14 @@ class SkyGraphTest : public GraphTest {
     return begin_frame(frame, light);
   }
 
+  /// Makes hdr_, in this format, and depth_.
+  void make_picture(GLenum format, int width, int height) {
+    hdr_ = gl::Texture("hdr", {.format = format, .width = width, .height = height});
+    depth_ =
+        gl::Texture("depth", {.format = GL_DEPTH_COMPONENT32F, .width = width, .height = height});
+  }
+
+  gl::Texture hdr_, depth_;
   std::unique_ptr<Sky> sky_;
   SkyLightModel model_;
   SkyLight light_;

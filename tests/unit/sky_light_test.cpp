@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <thread>
 
 #include "engine/core/angles.h"
 #include "engine/environment/calendar.h"
@@ -88,6 +90,26 @@ TEST(SkyLight, HazeTakesFromTheSunAndGivesToTheSky) {
   EXPECT_GT(luminance(hazy.sky_illuminance), 1.3 * luminance(clear.sky_illuminance));
   EXPECT_LT(hazy.level_illuminance(), clear.level_illuminance());
   EXPECT_GT(hazy.extinction.y, 10.0 * clear.extinction.y);
+}
+
+TEST(SkyLight, InTheBackgroundHazeAndItsLightChangeInOneFrame) {
+  const CelestialState sky = sky_with(40.0, -40.0, 90.0);
+  SkyLightModel at_once, model;
+  model.set_in_background(true);
+  const SkyLight clear = at_once.update(sky, 0.1, 2.0), fog = at_once.update(sky, 0.9, 2.0);
+  model.update(sky, 0.1, 2.0);
+  int frames = 0;
+  for (SkyLight seen = model.update(sky, 0.9, 2.0); frames < 10000; ++frames) {
+    const SkyLight& whole = seen.haze == 0.9 ? fog : clear;
+    ASSERT_EQ(seen.haze, whole.haze);
+    ASSERT_EQ(seen.extinction, whole.extinction);
+    ASSERT_NEAR(seen.sky_illuminance.y / whole.sky_illuminance.y, 1.0, 1e-9);
+    ASSERT_NEAR(seen.sun_illuminance.y / whole.sun_illuminance.y, 1.0, 1e-9);
+    if (seen.haze == 0.9) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    seen = model.update(sky, 0.9, 2.0);
+  }
+  EXPECT_LT(frames, 10000);
 }
 
 TEST(SkyLight, TheEclipseTakesTheSunAway) {
