@@ -90,10 +90,12 @@ void draw_instruments(const World& world) {
     ImGui::Begin("trouble", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                      ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PushTextWrapPos(display.x - 40.0f);
     ImGui::TextColored({1.0f, 0.78f, 0.4f, 1.0f}, "%s",
                        std::string(name(navigation.trouble)).c_str());
     ImGui::SameLine();
     ImGui::Text("%s", std::string(advice(navigation.trouble)).c_str());
+    ImGui::PopTextWrapPos();
     ImGui::End();
   }
 }

@@ -51,6 +51,8 @@ class Play {
     info_.quality = renderer_.quality().name;
     extractor_.set_in_background(true);
     world_.start();
+    // Nobody is at the helm yet: left alone she would luff up into the wind.
+    world_.boat().hold_heading(true);
     log_state_ = std::getenv("OFFING_LOG_STATE") != nullptr;
   }
 

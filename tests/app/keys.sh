@@ -9,6 +9,10 @@ start_display 640 480
 start_game --set boat.speed=0 --set boat.heading=90 --set environment.wind.from=0 \
   --set environment.wind.speed=8 --set environment.gusts=0
 eventually 120 "the boat gathers way with automatic trim" state_holds 'speed > 1'
+before=$(state t)
+eventually 120 "ten seconds pass" state_holds "t > $before + 10"
+state_holds "turn(90, heading) > -10 && turn(90, heading) < 10" ||
+  fail "she does not hold her heading of 90: it is $(state heading)"
 
 before=$(state heading)
 xdotool keydown a
