@@ -243,12 +243,16 @@ FieldTable& FieldTable::group(std::string_view prefix) {
   return *this;
 }
 
-Field& FieldTable::add(std::string_view key, std::string_view help) {
+Field& FieldTable::add(std::string_view key, std::string_view help, Range range,
+                       std::string_view unit) {
   std::string full = prefix_ + std::string(key);
   if (find(full)) throw Error(fmt::format("field table: {} is there twice; rename one", full));
   Field& field = fields_.emplace_back();
   field.key = std::move(full);
   field.help = help;
+  field.min = range.min;
+  field.max = range.max;
+  field.unit = unit;
   return field;
 }
 
@@ -259,40 +263,25 @@ FieldTable& FieldTable::flag(std::string_view key, bool& value, std::string_view
 
 FieldTable& FieldTable::integer(std::string_view key, int& value, Range range,
                                 std::string_view help) {
-  Field& field = add(key, help);
-  field.target = &value;
-  field.min = range.min;
-  field.max = range.max;
+  add(key, help, range).target = &value;
   return *this;
 }
 
 FieldTable& FieldTable::number(std::string_view key, double& value, Range range,
                                std::string_view unit, std::string_view help) {
-  Field& field = add(key, help);
-  field.target = &value;
-  field.min = range.min;
-  field.max = range.max;
-  field.unit = unit;
+  add(key, help, range, unit).target = &value;
   return *this;
 }
 
 FieldTable& FieldTable::vector(std::string_view key, glm::dvec2& value, Range range,
                                std::string_view unit, std::string_view help) {
-  Field& field = add(key, help);
-  field.target = &value;
-  field.min = range.min;
-  field.max = range.max;
-  field.unit = unit;
+  add(key, help, range, unit).target = &value;
   return *this;
 }
 
 FieldTable& FieldTable::vector(std::string_view key, glm::dvec3& value, Range range,
                                std::string_view unit, std::string_view help) {
-  Field& field = add(key, help);
-  field.target = &value;
-  field.min = range.min;
-  field.max = range.max;
-  field.unit = unit;
+  add(key, help, range, unit).target = &value;
   return *this;
 }
 

@@ -72,7 +72,8 @@ class FieldTable {
   static std::string allowed(const Field& field);
 
  private:
-  Field& add(std::string_view key, std::string_view help);
+  Field& add(std::string_view key, std::string_view help, Range range = {0.0, 0.0},
+             std::string_view unit = {});
   std::string prefix_;
   std::vector<Field> fields_;
 };
