@@ -11,6 +11,11 @@
 #include "engine/core/random.h"
 #include "shaders/shared/bindings.h"
 
+#define OFFING_GLSL "shaders/lib/phase.glsl"
+#include "engine/core/glsl_double.h"
+#define OFFING_GLSL "shaders/lib/scattering.glsl"
+#include "engine/core/glsl_double.h"
+
 namespace offing {
 namespace {
 
@@ -46,6 +51,11 @@ glm::ivec2 pixel_of_turn(glm::ivec2 cell, int turn) {
   return at;
 }
 
+const ShaderProgram& resolve_of(ShaderLibrary& shaders, glm::ivec2 cell) {
+  return shaders.program({"clouds/resolve.comp"},
+                         {{"CELL_X", std::to_string(cell.x)}, {"CELL_Y", std::to_string(cell.y)}});
+}
+
 ShaderDefines march_defines(const CloudQuality& quality) {
   ShaderDefines defines = {{"STEPS", std::to_string(quality.steps)},
                            {"SKIPS", "24"},
@@ -63,10 +73,13 @@ gl::Texture picture(const char* label, GLenum format, glm::ivec2 size) {
   return {label, {.format = format, .width = size.x, .height = size.y}};
 }
 
+/// Sine of the sea's horizon, below the level, for an eye at this height (m).
+double horizon_dip(double height) { return glsl::horizon_dip_sine(1e-3 * std::max(height, 0.0)); }
+
 /// The lowest row of pixels that shows anything above the sea's horizon, less a margin.
 int first_sky_row(const CloudCamera& camera) {
   const glm::mat4 relative_from_clip = glm::inverse(camera.clip_from_relative);
-  const double dip = std::sqrt(2.0 * std::max(camera.eye.y, 0.0) / 6.36e6) + 0.01;
+  const double dip = horizon_dip(camera.eye.y) + 0.01;
   const auto sees_sky = [&](int row) {
     for (const float x : {-1.0f, 1.0f}) {
       const float y = 2.0f * static_cast<float>(row) / static_cast<float>(camera.size.y) - 1.0f;
@@ -79,6 +92,38 @@ int first_sky_row(const CloudCamera& camera) {
   int row = 0;
   while (row + kRows < camera.size.y && !sees_sky(row + kRows)) row += kRows;
   return row;
+}
+
+/// The pixels that the picture showed before the camera moved: the first and the one after the
+/// last.
+glm::ivec4 known_pixels(const CloudCamera& camera, const CloudCamera& before) {
+  const glm::mat4 relative_from_clip = glm::inverse(camera.clip_from_relative);
+  const glm::vec2 size(camera.size);
+  // How far beyond the picture's lower left and upper right lay what its sides show now.
+  glm::vec2 below(0.0f), above(0.0f);
+  constexpr int kPlaces = 8;
+  for (int i = 0; i <= 4 * kPlaces; ++i) {
+    const float along = 2.0f * static_cast<float>(i % kPlaces) / kPlaces - 1.0f;
+    const glm::vec2 sides[] = {{along, -1}, {1, along}, {-along, 1}, {-1, -along}};
+    const glm::vec4 place = relative_from_clip * glm::vec4(sides[i / kPlaces % 4], 1, 1);
+    constexpr float kFar = 1e4f;  // m
+    const glm::vec4 clip =
+        before.clip_from_relative * glm::vec4(kFar * glm::normalize(glm::vec3(place)), 1.0f);
+    const glm::vec2 at = (0.5f + 0.5f * glm::vec2(clip) / std::max(clip.w, 1e-3f)) * size;
+    below = glm::max(below, -at);
+    above = glm::max(above, at - size);
+  }
+  constexpr float kNothing = 0.05f;  // pixels
+  const glm::ivec2 from(glm::ceil(glm::min(below, size) - kNothing));
+  const glm::ivec2 to = camera.size - glm::ivec2(glm::ceil(glm::min(above, size) - kNothing));
+  return {from, glm::max(to, from)};
+}
+
+/// The cells (the first and how many) whose chosen pixels pixels from `from` to before `to` lie
+/// between.
+glm::ivec4 cells_round(glm::ivec2 from, glm::ivec2 to, glm::ivec2 cell, glm::ivec2 cells) {
+  const glm::ivec2 first = glm::min(from / cell, cells);
+  return {first, glm::max(glm::min((to - 1 + cell - 1) / cell + 1, cells) - first, 0)};
 }
 
 glm::vec3 forward_of(const CloudCamera& camera) {
@@ -130,8 +175,9 @@ CloudQuality CloudQuality::of(int quality) {
 
 CloudMarch::CloudMarch(ShaderLibrary& shaders, const CloudQuality& quality)
     : quality_(quality),
+      in_turn_{quality.cell, resolve_of(shaders, quality.cell), {}, {}},
+      anew_{quality.cut_cell, resolve_of(shaders, quality.cut_cell), {}, {}},
       march_program_(shaders.program({"clouds/march.comp"}, march_defines(quality_))),
-      resolve_program_(shaders.program({"clouds/resolve.comp"})),
       far_program_(shaders.program({"sky/dome.vert", "clouds/composite.frag"})),
       all_program_(shaders.program({"post/full_screen.vert", "clouds/composite.frag"},
                                    {{"NEAR_THINGS", "1"}})),
@@ -140,8 +186,6 @@ CloudMarch::CloudMarch(ShaderLibrary& shaders, const CloudQuality& quality)
 
 void CloudMarch::resize(glm::ivec2 size) {
   if (pictures_[0] && glm::ivec2(pictures_[0].width(), pictures_[0].height()) == size) return;
-  in_turn_.cell = quality_.cell;
-  anew_.cell = quality_.cut_cell;
   for (Marched* marched : {&in_turn_, &anew_}) {
     const glm::ivec2 cells = (size + marched->cell - 1) / marched->cell;
     marched->seen = picture("clouds seen", GL_RGBA16F, cells);
@@ -201,13 +245,30 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
   const bool direct = cell == glm::ivec2(1);  // nothing is left to fill in
   const gl::Texture& target = direct ? result : marched.seen;
   const glm::ivec2 chosen = pixel_of_turn(cell, anew ? anew_turn_ : turn_);
-  const int first_row = view.eye.y < field.lowest_base() ? first_sky_row(camera) / cell.y : 0;
+  const bool from_below = view.eye.y < field.lowest_base();
+  const int first_row = from_below ? first_sky_row(camera) / cell.y : 0;
+  const float sea_below = from_below ? -static_cast<float>(horizon_dip(view.eye.y)) : -1.0f;
   const bool inside = view.eye.y > field.lowest_base() && view.eye.y < field.highest_top();
   const int own_steps = inside && quality_.light_steps_inside > 0 ? quality_.light_steps_inside
                                                                   : quality_.light_steps;
   const int light_steps = view.parameters.light_steps > 0 ? view.parameters.light_steps : own_steps;
+  // What a turn of the camera brings into the picture is marched as after a cut.
+  const glm::ivec4 known = without_past ? glm::ivec4(0) : known_pixels(camera, before_);
+  const glm::ivec2 from(0, first_row * cell.y), to = camera.size;
+  std::vector<glm::ivec4> entered;
+  if (!anew) {
+    const glm::ivec2 whole(anew_.seen.width(), anew_.seen.height());
+    const auto enter = [&](glm::ivec2 first, glm::ivec2 end) {
+      if (first.x < end.x && first.y < end.y)
+        entered.push_back(cells_round(first, end, anew_.cell, whole));
+    };
+    enter(from, {known.x, to.y});
+    enter({known.z, from.y}, to);
+    enter(from, {to.x, known.y});
+    enter({from.x, known.w}, to);
+  }
   const std::uint64_t key = hash_of(shows, still_frames_, turn_, anew_turn_,
-                                    march_program_.generation(), resolve_program_.generation());
+                                    march_program_.generation(), marched.resolve.generation());
   graph.add(
       "clouds.march",
       [&](PassBuilder& pass) {
@@ -215,22 +276,30 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
         sky_ids.read_by(pass);
         shadow_ids.read_by(pass);
         pass.write(graph.import(target)).write(graph.import(marched.distance));
+        if (!entered.empty())
+          pass.write(graph.import(anew_.seen)).write(graph.import(anew_.distance));
         pass.cache(march_memory_, key).skip_if(!visible);
       },
       [this, &field, &sky, &shadow, &target, &marched, ids, sky_ids, shadow_ids, chosen,
-       light_steps, first_row](const PassContext& context) {
+       light_steps, first_row, entered](const PassContext& context) {
         sky.bind(context, sky_ids);
         field.bind(context, ids);
         shadow.bind(context, shadow_ids);
         march_program_.use();
         const gl::Program& program = march_program_.program();
-        program.set(0, marched.cell);
-        program.set(1, chosen);
         program.set(2, light_steps);
-        program.set(3, first_row);
-        target.bind_image(0, GL_WRITE_ONLY);
-        marched.distance.bind_image(1, GL_WRITE_ONLY);
-        glDispatchCompute(groups(target.width()), groups(target.height() - first_row), 1);
+        const auto march = [&](const Marched& into, const gl::Texture& light, glm::ivec2 pixel,
+                               glm::ivec4 part) {
+          program.set(0, into.cell);
+          program.set(1, pixel);
+          program.set(3, part);
+          light.bind_image(0, GL_WRITE_ONLY);
+          into.distance.bind_image(1, GL_WRITE_ONLY);
+          const int least = std::min(part.z, part.w), most = std::max(part.z, part.w);
+          glDispatchCompute(groups(most), groups(least), 1);
+        };
+        march(marched, target, chosen, {0, first_row, target.width(), target.height() - first_row});
+        for (const glm::ivec4& part : entered) march(anew_, anew_.seen, glm::ivec2(0), part);
       });
   if (!direct) {
     const glm::dvec2 wind = carried - carried_before_;
@@ -240,31 +309,32 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
         "clouds.resolve",
         [&](PassBuilder& pass) {
           pass.read(graph.import(marched.seen)).read(graph.import(marched.distance));
+          if (!anew) pass.read(graph.import(anew_.seen));
           pass.read(history_id).write(result_id);
           pass.cache(resolve_memory_, key).skip_if(!visible);
         },
-        [this, &result, &history, &marched, chosen, moved, clip_before, first_row, without_past,
-         first_row_before = first_row_before_](PassContext&) {
-          resolve_program_.use();
-          const gl::Program& program = resolve_program_.program();
-          program.set(0, marched.cell);
+        [this, &result, &history, &marched, chosen, moved, clip_before, first_row, sea_below, known,
+         anew, first_row_before = first_row_before_](PassContext&) {
+          marched.resolve.use();
+          const gl::Program& program = marched.resolve.program();
           program.set(1, chosen);
           program.set(2, glm::vec3(moved));
           program.set(3, clip_before);
           program.set(7, kFresh);
           program.set(8, first_row);
           program.set(9, first_row_before);
-          program.set(10, without_past ? 0 : 1);
+          program.set(10, known);
+          program.set(11, sea_below);
+          program.set(12, anew_.cell);
+          program.set(13, anew ? chosen : glm::ivec2(0));
           marched.seen.bind(0);
           marched.distance.bind(1);
           history.bind(2);
-          linear_.bind(2);
-          marched.seen.bind(3);
+          anew_.seen.bind(3);
           linear_.bind(3);
           result.bind_image(0, GL_WRITE_ONLY);
           const gl::Texture& seen = marched.seen;
           glDispatchCompute(groups(seen.width()), groups(seen.height() - first_row), 1);
-          glBindSampler(2, 0);
           glBindSampler(3, 0);
         });
   }

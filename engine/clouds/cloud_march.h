@@ -61,20 +61,20 @@ class CloudMarch {
  private:
   /// What was marched of each cell.
   struct Marched {
-    glm::ivec2 cell{1};
+    glm::ivec2 cell;
+    const ShaderProgram& resolve;
     gl::Texture seen, distance;
   };
 
   void resize(glm::ivec2 size);
 
   CloudQuality quality_;
+  Marched in_turn_, anew_;
   const ShaderProgram& march_program_;
-  const ShaderProgram& resolve_program_;
   const ShaderProgram& far_program_;
   const ShaderProgram& all_program_;
   gl::Sampler linear_;
   gl::VertexArray no_vertices_;
-  Marched in_turn_, anew_;
   gl::Texture pictures_[2];
   int newest_ = 0;
   int turn_ = 0;          ///< which pixel of each cell comes next

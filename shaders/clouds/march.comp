@@ -8,11 +8,12 @@ layout(r16f, binding = 1) uniform writeonly image2D distance;  // m
 layout(location = 0) uniform ivec2 cell;    // pixels
 layout(location = 1) uniform ivec2 chosen;  // of the cell
 layout(location = 2) uniform int light_steps;
-layout(location = 3) uniform int first_row;  // below it there is only sea
+layout(location = 3) uniform ivec4 part;  // of the cells: the first and how many. Tall ones are gone through upward
 
 void main() {
-  ivec2 texel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, first_row);
-  if (any(greaterThanEqual(texel, imageSize(seen)))) return;
+  ivec2 at = ivec2(part.w > part.z ? gl_GlobalInvocationID.yx : gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(at, part.zw))) return;
+  ivec2 texel = part.xy + at;
   vec2 pixel = vec2(texel * cell + chosen) + 0.5;
   vec4 near = frame.relative_from_clip * vec4(2.0 * pixel * frame.viewport.zw - 1.0, 1.0, 1.0);
   vec3 direction = normalize(near.xyz / near.w);

@@ -208,7 +208,7 @@ CloudSight march_low(CloudRay ray, float near, float far, int light_steps) {
   // A ray that has seen all that shows has seen it all.
   float rescale = 1.0 / (1.0 - kLeast);
   sight.transmittance = max(sight.transmittance - kLeast, 0.0) * rescale;
-  sight.distance = weight > 0.0 ? weighted / weight : far;
+  sight.distance = weight > 0.0 ? weighted / weight : far > 0.0 ? far : REACH;
   return sight;
 }
 
