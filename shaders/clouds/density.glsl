@@ -19,7 +19,8 @@ float cloud_altitude(vec3 p) {
 
 // Where a place was before the wind drew the tops along.
 vec2 cloud_unsheared(vec3 p, float altitude) {
-  return p.xz - clouds.wind.xy * (clouds.wind.z * (altitude - clouds.layer.w));
+  float drawn = cloud_drawn(altitude - clouds.layer.w, clouds.wind.z, clouds.eye.w * clouds.form.w);
+  return p.xz - clouds.wind.xy * drawn;
 }
 
 vec2 cloud_weather_at(vec2 plan) { return clouds.weather.xy + plan * clouds.weather.z; }
@@ -70,7 +71,7 @@ CloudPlace cloud_place_in_storm(CloudPlace place, float rain, float altitude) {
   float turrets = textureLod(cloud_shape_noise, vec3(at.x, up, at.y), 1.0).r;
   float free = clouds.form.y * cloud_freedom(5.0 * x);
   float strength = storm_strength(kind, rain, turrets, free);
-  float inside = strength - clouds.form.x - storm_outline(kind, x);
+  float inside = kind.sharpness * (strength - storm_outline(kind, x)) - clouds.form.x;
   // Ice above: smooth and thin, a veil where no tower feeds it.
   float ice = smoothstep(0.70, 0.82, x);
   float fed = smoothstep(0.2, 1.4, strength);
@@ -80,7 +81,7 @@ CloudPlace cloud_place_in_storm(CloudPlace place, float rain, float altitude) {
   place.kind.roughness = mix(place.kind.roughness, kind.roughness, share);
   place.kind.extinction = mix(place.kind.extinction, kind.extinction, share);
   place.x = mix(place.x, x, share);
-  place.freedom = mix(place.freedom, kind.roughness * free, share);
+  place.freedom = mix(place.freedom, kind.sharpness * kind.roughness * free, share);
   place.inside = max(place.inside, inside);
   place.smoothed = 0.6 * share * ice;
   return place;
@@ -88,8 +89,9 @@ CloudPlace cloud_place_in_storm(CloudPlace place, float rain, float altitude) {
 
 CloudPlace cloud_place_in(CloudPlace place, float excess, float rain, float altitude) {
   place.x = (altitude - place.base) / (place.kind.thickness * clouds.form.w);
-  place.inside = cloud_strength(place.kind, excess) - clouds.form.x - cloud_outline(place.kind, place.x);
-  place.freedom = place.kind.roughness * clouds.form.y * cloud_freedom(place.x);
+  float strength = cloud_strength(place.kind, excess);
+  place.inside = place.kind.sharpness * (strength - cloud_outline(place.kind, place.x)) - clouds.form.x;
+  place.freedom = place.kind.sharpness * place.kind.roughness * clouds.form.y * cloud_freedom(place.x);
   place.smoothed = 0.0;
   WHERE_STORMS_STAND place = cloud_place_in_storm(place, rain, altitude);
   return place;
@@ -126,12 +128,17 @@ float cloud_clear_way(vec3 p, vec3 direction) {
   vec2 at = cloud_weather_at(cloud_unsheared(p, altitude)) * kCells;
   float most = textureLod(cloud_most, at * (1.0 / kCells), 0.0).r;
   float top = mix(2.0 * clouds.layer.w - clouds.layer.x, clouds.layer.y, most);
-  vec2 way = (direction.xz - clouds.wind.xy * (clouds.wind.z * direction.y)) * (clouds.weather.z * kCells);
-  // To whichever wall comes first.
-  vec2 ahead = 0.5 + sign(way) * (fract(at) - 0.5);  // 0 at the wall behind, 1 at the one before
-  vec2 ends = (1.0 - ahead) / max(abs(way), vec2(1.0e-9));
+  // To whichever wall comes first, by the least and by the most that a height draws it along.
+  float ends = 1.0e9;
+  vec2 drawn = clouds.wind.z * direction.y * vec2(1.0, cloud_most_drawn(clouds.eye.w));
+  for (int i = 0; i < (clouds.eye.w > 0.0 ? 2 : 1); ++i) {
+    vec2 way = (direction.xz - clouds.wind.xy * drawn[i]) * (clouds.weather.z * kCells);
+    vec2 ahead = 0.5 + sign(way) * (fract(at) - 0.5);  // 0 at the wall behind, 1 at the one before
+    vec2 reached = (1.0 - ahead) / max(abs(way), vec2(1.0e-9));
+    ends = min(ends, min(reached.x, reached.y));
+  }
   bool clear = most <= 0.0 || (direction.y >= 0.0 && altitude > top);
-  return clear ? min(ends.x, ends.y) + 1.0 : 0.0;
+  return clear ? ends + 1.0 : 0.0;
 }
 
 vec3 cloud_shape_at(CloudPlace place, vec3 p) {

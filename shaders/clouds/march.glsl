@@ -27,6 +27,7 @@ const float kLeast = LEAST;  // transmittance at which a ray has seen all that s
 // (engine/clouds/LIGHT.md).
 const float kHeapLeak = 0.4;     // k, per scaled mean free path
 const float kHeapFacing = 0.25;  // cosine
+const float kTopsReflect = 0.5;  // of the light, where a layer of heaps is seen from above
 const vec2 kHeapTakes = vec2(0.44, 0.84);  // of the light on a square across its way: of a flat one; what a high one adds
 
 struct CloudSight {
@@ -138,7 +139,14 @@ vec3 cloud_leaving(CloudRay ray, CloudPlace place, vec3 p, float to_light, float
   float facing = mix(max(level, 0.1), kHeapFacing, heap);
   float taken = mix(max(level, 0.1) * kept, (kHeapTakes.x + kHeapTakes.y * level) * (0.72 + 0.56 * x), heap);
   vec3 ambient = cloud_ambient(full * (1.0 - x), full, ray.from_above, ray.from_below, ray.direction.y, ray.g);
-  ambient = mix(ambient, mix(ray.from_below, ray.from_above, 0.7 + 0.3 * x), heap);
+  vec3 around = mix(ray.from_below, ray.from_above, 0.7 + 0.3 * x);
+  // A storm overlooks the tops of the others: its shaded sides see them, and sky by half.
+  WHERE_STORMS_STAND {
+    float over = smoothstep(800.0, 2500.0, (cloud_altitude(p) - place.base) / clouds.form.w);
+    vec3 tops = kTopsReflect * (1.0 - clouds.weather.w) / kPhasePi * light * level;
+    around = mix(around, 0.5 * (ray.from_below + tops + ray.from_above), over);
+  }
+  ambient = mix(ambient, around, heap);
   CloudField field = cloud_field(above_light, above_light + beyond * clouds.light.x, facing, ray.g, leak);
   float powder = mix(1.0, cloud_powder(above_light), clouds.ambient.x * clamp(0.5 - 0.5 * ray.cosine, 0.0, 1.0));
   float spread = kFieldGain * (taken / facing) * max(field.mean + kFieldTilt * ray.g * field.tilt * ray.cosine, 0.0);

@@ -25,15 +25,16 @@ void main() {
   }
   CloudKind kind = cloud_kind(value.g);
   CloudKind storm = storm_kind(storms.x, storms.y);
-  float strength = cloud_strength(kind, value.r - form.x) - form.y;
+  float strength = cloud_strength(kind, value.r - form.x);
   float top = 0.0;  // m
   for (int i = 0; i < kHeights; ++i) {
     float x = kOver * float(i) / float(kHeights), next = kOver * float(i + 1) / float(kHeights);
     float most = 0.5 * form.z * cloud_freedom(x);
-    if (strength + kind.roughness * most > cloud_outline(kind, x)) top = max(top, next * kind.thickness);
+    if (kind.sharpness * (strength + kind.roughness * most - cloud_outline(kind, x)) > form.y) top = max(top, next * kind.thickness);
     float free = form.z * cloud_freedom(5.0 * x);
-    most = storm_strength(storm, value.a, 1.0, free) - form.y + 0.5 * storm.roughness * free;
-    if (storms.x > 0.0 && value.a > 0.0 && most > storm_outline(storm, x)) top = max(top, next * storms.x);
+    most = storm_strength(storm, value.a, 1.0, free) + 0.5 * storm.roughness * free;
+    bool stands = storms.x > 0.0 && value.a > 0.0;
+    if (stands && storm.sharpness * (most - storm_outline(storm, x)) > form.y) top = max(top, next * storms.x);
   }
   // Rounded up.
   imageStore(most, cell, vec4(top > 0.0 ? min(top / (kOver * form.w) + 1.0 / 255.0, 1.0) : 0.0));

@@ -11,7 +11,8 @@ struct RainVeil {
 float rain_extinction_at(vec3 p, float altitude, float footprint) {
   float fallen = clamp(1.0 - altitude / clouds.layer.w, 0.0, 1.0);
   vec2 plan = p.xz + 0.5 * amount.zw * fallen * fallen;
-  float rain = textureLod(cloud_weather, cloud_weather_at(plan), 0.0).a;
+  vec4 weather = textureLod(cloud_weather, cloud_weather_at(plan), 0.0);
+  float rain = rain_falling(weather.g, clouds.wind.w, weather.a);
   // Curtains: fine across, long downward.
   vec3 at = 3.0 * (clouds.shape.xyz + vec3(plan.x, 0.15 * altitude, plan.y) * clouds.shape.w);
   float lod = log2(max(3.0 * footprint * clouds.shape.w * kCloudShapeTexels, 1.0));

@@ -19,6 +19,7 @@ struct CloudKind {
   float round_from;  // height x from which on it narrows
   float round_sharply;  // 0: narrows with the square of the height from there, 1: with its power 1.5
   float extinction;  // over that of a dense cumulus (stratus .04–.06 /m, cumulus .05–.12 /m measured)
+  float sharpness;   // of its edges: by how much the field changes over one `full`
 };
 
 float cloud_blend(float a, float b, float c, float type) {
@@ -35,6 +36,7 @@ CloudKind cloud_kind(float type) {
   kind.round_from = cloud_blend(0.55, 0.30, 0.04, type);
   kind.round_sharply = cloud_blend(0.0, 0.3, 0.9, type);
   kind.extinction = cloud_blend(0.6, 0.75, 1.0, type);
+  kind.sharpness = 1.0;
   return kind;
 }
 
@@ -60,7 +62,7 @@ float cloud_strength(CloudKind kind, float excess) {
 
 const float kStormThickness = 8000.0;
 // Strength of the wide noise that sets its turrets apart, in units of `full`, and its periods within the weather's.
-const float kStormTurrets = 1.2, kStormTurretPeriods = 4.0;
+const float kStormTurrets = 0.9, kStormTurretPeriods = 6.0;
 
 // Height of the tallest towers over their bases, m; 0: none. Little rain falls from towers of 2.5 km, and
 // layers of cloud grow none.
@@ -73,11 +75,12 @@ CloudKind storm_kind(float thickness, float precipitation) {
   CloudKind kind;
   kind.thickness = thickness;
   kind.full = 0.6 * precipitation;  // of rain
-  kind.roughness = 0.4;
+  kind.roughness = 0.5;
   kind.bottom = 0.012;
   kind.round_from = 0.05;
   kind.round_sharply = 0.0;
   kind.extinction = 1.4;
+  kind.sharpness = 3.0;  // rain fades over kilometres
   return kind;
 }
 
@@ -98,6 +101,22 @@ float storm_outline(CloudKind kind, float x) {
   float anvil = 0.15 + under + over * over;
   float spreads = smoothstep(4000.0, 6500.0, kind.thickness);
   return below * below + mix(tower, min(tower, anvil), spreads);
+}
+
+// How far the wind has drawn a cloud along, m, at a height over the bases where it leans by `lean` (m per m): evenly;
+// of a storm `thickness` (m) high the upper half more and more, so that its anvil trails downwind. And at most how
+// many times as fast as `lean` that goes there with height.
+const float kAnvilDrawn = 4.0;
+float cloud_drawn(float over, float lean, float thickness) {
+  float up = max(over - 0.5 * thickness, 0.0);
+  return lean * (over + (thickness > 0.0 ? kAnvilDrawn * up * up / thickness : 0.0));
+}
+float cloud_most_drawn(float thickness) { return thickness > 0.0 ? 1.0 + 1.2 * kAnvilDrawn : 1.0; }
+
+// Rain that reaches the air beneath: of layers all of it, of heaps what has a tower over it.
+float rain_falling(float type, float precipitation, float rain) {
+  float under = smoothstep(0.9, 1.3, rain / storm_kind(1.0, max(precipitation, 1.0e-3)).full);
+  return rain * mix(1.0, under, smoothstep(0.2, 0.5, type));
 }
 
 // How much of a full-grown storm stands where it rains so hard, 0 … 1.
