@@ -46,7 +46,8 @@ shared::CloudData cloud_data(const CloudView& view, const SkyLight& light) {
 
   const glm::dvec2 carried = cloud_carried(view, base);
   const glm::dvec2 w = weather_place(view);
-  data.weather = pack(w.x, w.y, 1.0 / (WeatherMap::kPeriod * p.scale), 1.0 - weather.cover);
+  data.weather =
+      pack(w.x, w.y, 1.0 / (WeatherMap::kPeriod * p.scale), glsl::weather_threshold(weather.cover));
   // The body's noise rises and drifts ahead a little: clouds boil.
   const double rise = 0.7 * p.evolution * view.elapsed;
   glm::dvec3 s = pattern_place(view, carried * 1.02, kShapePeriod * p.scale, 1);

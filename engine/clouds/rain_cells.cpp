@@ -33,7 +33,10 @@ double rain_at(const std::vector<std::uint8_t>& patterns, const Clouds& weather,
   const double cells = pattern_at(patterns, at + offsets.cells, 0);
   const double finer = pattern_at(patterns, 2.0 * glm::dvec2(at.y, at.x) + offsets.finer, 0);
   const double fronts = pattern_at(patterns, at + offsets.fronts, 1);
-  const double coverage = glsl::weather_coverage(cells, finer, fronts, weather.cover);
+  const double rolls = pattern_at(
+      patterns, glsl::weather_rolls(at) + glm::dvec2(offsets.finer.y, offsets.finer.x), 0);
+  const double coverage =
+      glsl::weather_coverage(glm::dvec4(cells, finer, fronts, rolls), weather.cover, weather.type);
   const double showers = pattern_at(patterns, at + offsets.patches, 3);
   return glsl::weather_rain(coverage, fronts, showers, weather.cover, weather.type,
                             weather.precipitation);

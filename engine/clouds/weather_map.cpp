@@ -98,8 +98,9 @@ WeatherMap::Ids WeatherMap::add(FrameGraph& graph, TextureId patterns, const Clo
   const bool drawn = !picture_file_.empty();
   const glm::vec4 state(
       glm::dvec4(weather.cover, weather.type, weather.precipitation, drawn ? 1.0 : 0.0));
-  const glm::vec4 form(glm::dvec4(1.0 - weather.cover, parameters.density_threshold,
-                                  parameters.roughness, tallest_cloud(weather)));
+  const glm::vec4 form(glm::dvec4(glsl::weather_threshold(weather.cover),
+                                  parameters.density_threshold, parameters.roughness,
+                                  tallest_cloud(weather)));
   const glm::vec2 storms(glm::dvec2(tallest_storm(weather), weather.precipitation));
   graph.add(
       "clouds.weather",

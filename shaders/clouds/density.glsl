@@ -90,7 +90,8 @@ CloudPlace cloud_place_in_storm(CloudPlace place, float rain, float altitude) {
 CloudPlace cloud_place_in(CloudPlace place, float excess, float rain, float altitude) {
   place.x = (altitude - place.base) / (place.kind.thickness * clouds.form.w);
   float strength = cloud_strength(place.kind, excess);
-  place.inside = place.kind.sharpness * (strength - cloud_outline(place.kind, place.x)) - clouds.form.x;
+  float edge = place.kind.given - clouds.form.x;
+  place.inside = place.kind.sharpness * (strength - cloud_outline(place.kind, place.x)) + edge;
   place.freedom = place.kind.sharpness * place.kind.roughness * clouds.form.y * cloud_freedom(place.x);
   place.smoothed = 0.0;
   WHERE_STORMS_STAND place = cloud_place_in_storm(place, rain, altitude);
@@ -163,7 +164,7 @@ float cloud_erosion(CloudPlace place, vec3 p, float footprint) {
   float lod = log2(max(footprint * clouds.detail.w * kCloudDetailTexels, 1.0));
   float noise = textureLod(cloud_detail_noise,
                            clouds.detail.xyz + vec3(plan.x, p.y, plan.y) * clouds.detail.w, lod).r;
-  return kCloudErosion * clouds.form.z * (1.0 - place.smoothed) * cloud_edge(noise, place.x);
+  return kCloudErosion * clouds.form.z * (1.0 - place.smoothed) * cloud_edge(noise, place.x * place.kind.sharpness * place.kind.sharpness);
 }
 
 float cloud_extinction_from(CloudPlace place, float inside) {

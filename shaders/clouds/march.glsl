@@ -143,7 +143,7 @@ vec3 cloud_leaving(CloudRay ray, CloudPlace place, vec3 p, float to_light, float
   // A storm overlooks the tops of the others: its shaded sides see them, and sky by half.
   WHERE_STORMS_STAND {
     float over = smoothstep(800.0, 2500.0, (cloud_altitude(p) - place.base) / clouds.form.w);
-    vec3 tops = kTopsReflect * (1.0 - clouds.weather.w) / kPhasePi * light * level;
+    vec3 tops = kTopsReflect * min(1.0 - clouds.weather.w, 1.0) / kPhasePi * light * level;
     around = mix(around, 0.5 * (ray.from_below + tops + ray.from_above), over);
   }
   ambient = mix(ambient, around, heap);

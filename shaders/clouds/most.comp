@@ -6,7 +6,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D weather;
 layout(r8, binding = 0) uniform writeonly image2D most;
-layout(location = 0) uniform vec4 form;  // 1 - cover, shift of the edge, strength of the body's noise, tallest cloud (m)
+layout(location = 0) uniform vec4 form;  // weather_threshold(), shift of the edge, strength of the body's noise, tallest cloud (m)
 layout(location = 1) uniform vec2 storms;  // their thickness (m; 0: none), the rain in their middle
 
 const int kHeights = 32;
@@ -30,7 +30,8 @@ void main() {
   for (int i = 0; i < kHeights; ++i) {
     float x = kOver * float(i) / float(kHeights), next = kOver * float(i + 1) / float(kHeights);
     float most = 0.5 * form.z * cloud_freedom(x);
-    if (kind.sharpness * (strength + kind.roughness * most - cloud_outline(kind, x)) > form.y) top = max(top, next * kind.thickness);
+    float inside = kind.sharpness * (strength + kind.roughness * most - cloud_outline(kind, x)) + kind.given;
+    if (inside > form.y) top = max(top, next * kind.thickness);
     float free = form.z * cloud_freedom(5.0 * x);
     most = storm_strength(storm, value.a, 1.0, free) + 0.5 * storm.roughness * free;
     bool stands = storms.x > 0.0 && value.a > 0.0;

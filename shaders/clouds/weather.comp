@@ -17,10 +17,11 @@ void main() {
   vec2 at = (vec2(texel) + 0.5) / vec2(size);
   vec4 cells = textureLod(patterns, at + offsets[0].xy, 0.0);
   float finer = textureLod(patterns, 2.0 * at.yx + offsets[0].zw, 0.0).r;
+  float rolls = textureLod(patterns, weather_rolls(at) + offsets[0].wz, 0.0).r;
   float fronts = textureLod(patterns, at + offsets[1].xy, 0.0).g;
   vec4 patches = textureLod(patterns, at + offsets[1].zw, 0.0);
   vec4 made;
-  made.r = weather_coverage(cells.r, finer, fronts, state.x);
+  made.r = weather_coverage(vec4(cells.r, finer, fronts, rolls), state.x, state.y);
   made.g = clamp(state.y + 0.30 * (patches.a - 0.5) * min(4.0 * state.y * (1.0 - 0.6 * state.y), 1.0), 0.0, 1.0);
   made.b = patches.b;
   made.a = weather_rain(made.r, fronts, patches.a, state.x, state.y, state.z);

@@ -20,6 +20,7 @@ struct CloudKind {
   float round_sharply;  // 0: narrows with the square of the height from there, 1: with its power 1.5
   float extinction;  // over that of a dense cumulus (stratus .04–.06 /m, cumulus .05–.12 /m measured)
   float sharpness;   // of its edges: by how much the field changes over one `full`
+  float given;       // of the field: back for what the edges' noise would take of a thin layer
 };
 
 float cloud_blend(float a, float b, float c, float type) {
@@ -29,14 +30,15 @@ float cloud_blend(float a, float b, float c, float type) {
 
 CloudKind cloud_kind(float type) {
   CloudKind kind;
-  kind.thickness = cloud_blend(260.0, 520.0, 1050.0, type);
-  kind.full = cloud_blend(0.12, 0.20, 0.34, type);
-  kind.roughness = cloud_blend(2.0, 1.5, 1.35, type);
-  kind.bottom = cloud_blend(0.25, 0.16, 0.05, type);
-  kind.round_from = cloud_blend(0.55, 0.30, 0.04, type);
+  kind.thickness = cloud_blend(320.0, 480.0, 1050.0, type);
+  kind.full = cloud_blend(0.32, 0.45, 0.34, type);
+  kind.roughness = cloud_blend(0.9, 1.0, 1.35, type);
+  kind.bottom = cloud_blend(0.15, 0.45, 0.05, type);
+  kind.round_from = cloud_blend(0.0, 0.35, 0.04, type);
   kind.round_sharply = cloud_blend(0.0, 0.3, 0.9, type);
-  kind.extinction = cloud_blend(0.6, 0.75, 1.0, type);
-  kind.sharpness = 1.0;
+  kind.extinction = cloud_blend(0.9, 0.75, 1.0, type);
+  kind.sharpness = cloud_blend(0.4, 1.0, 1.0, type);
+  kind.given = cloud_blend(0.15, 0.05, 0.0, type);
   return kind;
 }
 
@@ -81,6 +83,7 @@ CloudKind storm_kind(float thickness, float precipitation) {
   kind.round_sharply = 0.0;
   kind.extinction = 1.4;
   kind.sharpness = 3.0;  // rain fades over kilometres
+  kind.given = 0.0;
   return kind;
 }
 
@@ -161,14 +164,23 @@ float cloud_mean_ramp(float a, float b, float width) {
 // distributed patterns come near to a normal distribution; this makes them even again.
 float normal_share(float z) { return 1.0 / (1.0 + exp(-z * (1.5976 + 0.07056 * z * z))); }
 
-// Coverage 0 … 1, evenly distributed, from three evenly distributed patterns: cells, finer cells and
-// fronts. Two states are blended by the global cover: scattered clouds by their cells, an overcast sky
-// by its fronts.
-float weather_coverage(float cells, float finer, float fronts, float cover) {
-  vec3 weights = mix(vec3(0.80, 0.30, 0.34), vec3(0.45, 0.28, 0.80), cover);
-  float sum = dot(weights, vec3(cells, finer, fronts) - vec3(0.5));
+// Where a layer's rolls lie in the pattern of cells: in rows, each a fourth as large as there. Whole numbers, so that
+// they repeat with it.
+vec2 weather_rolls(vec2 at) { return vec2(4.0 * at.x + 3.0 * at.y, 7.0 * at.y - 3.0 * at.x); }
+
+// Coverage 0 … 1, evenly distributed, from evenly distributed patterns: cells, finer cells, fronts and rolls.
+// Scattered heaps (type 1) are told by their cells, an overcast of them by its fronts, stratocumulus (0.5) by
+// its rolls, stratus (0) by its fronts.
+float weather_coverage(vec4 patterns, float cover, float type) {
+  vec4 heaps = mix(vec4(0.80, 0.30, 0.34, 0.0), vec4(0.45, 0.28, 0.80, 0.0), cover);
+  vec4 rolls = vec4(0.25, 0.25, 0.35, 0.80), even = vec4(0.50, 0.35, 0.45, 0.30);
+  vec4 weights = type < 0.5 ? mix(even, rolls, 2.0 * type) : mix(rolls, heaps, 2.0 * type - 1.0);
+  float sum = dot(weights, patterns - vec4(0.5));
   return normal_share(sum / sqrt(dot(weights, weights) / 12.0));
 }
+
+// What coverage has to exceed for there to be cloud. Its edges take some of a thin cloud: a closed sky has none.
+float weather_threshold(float cover) { return 1.0 - cover - 0.25 * smoothstep(0.8, 1.0, cover); }
 
 // Rain falls from layers (type 0) where the fronts stand thickest, from heaps (type 1) in showers: cells of their
 // own some kilometres wide, whether or not other clouds stand there.

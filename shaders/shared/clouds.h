@@ -13,7 +13,7 @@ using glm::vec4;
 
 struct CloudData {
   vec4 eye;       // x: height of the camera (m); y: 1 / earth's diameter (1/m); z: 1 where there are clouds; w: thickness of storms (m), 0: none
-  vec4 weather;   // xy: coordinates at the camera; z: 1 / period (1/m); w: 1 - cover
+  vec4 weather;   // xy: coordinates at the camera; z: 1 / period (1/m); w: weather_threshold() of the cover
   vec4 shape;     // xyz: coordinates at the camera; w: 1 / period (1/m)
   vec4 detail;    // likewise
   vec4 curl;      // xy: coordinates at the camera; z: 1 / period (1/m); w: reach at the bases (m)
