@@ -380,8 +380,9 @@ TEST_F(CloudsTest, TheShadowMapHoldsTheDepthOfTheField) {
         const double base = glm::mix(static_cast<double>(data.layer.x),
                                      2.0 * data.layer.w - data.layer.x, weather_at(p, 2));
         const double h = (altitude - base) / kind.thickness;
-        const double inside = glsl::cloud_strength(kind, weather_at(p, 0) - data.weather.w) -
-                              glsl::cloud_outline(kind, h);
+        const double strength = glsl::cloud_strength(kind, weather_at(p, 0) - data.weather.w);
+        const double inside =
+            kind.sharpness * (strength - glsl::cloud_outline(kind, h)) + kind.given;
         depth += data.layer.z * kind.extinction * glsl::cloud_filling(h) *
                  std::clamp(inside / glsl::kCloudEdgeWidth, 0.0, 1.0) * (up - down) / kSteps;
       }
