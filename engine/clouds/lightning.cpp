@@ -109,7 +109,7 @@ glm::dvec3 flash_place(const CloudView& view) {
   const double over_bases =
       p.scale * (600.0 + view.flash.height * std::max(tallest_cloud(view.weather) - 600.0, 0.0));
   const double drawn =
-      glsl::cloud_drawn(over_bases, cloud_shear(view), tallest_storm(view.weather) * p.scale);
+      glsl::storm_drawn(over_bases, cloud_shear(view), tallest_storm(view.weather) * p.scale);
   const glm::dvec2 place = view.flash.away + turned(view.wind_to, p.direction_offset_deg) * drawn;
   return {place.x, cloud_base(view) + over_bases - view.eye.y, place.y};
 }

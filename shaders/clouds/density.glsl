@@ -17,9 +17,21 @@ float cloud_altitude(vec3 p) {
   return clouds.eye.x + p.y + dot(p.xz, p.xz) * clouds.eye.y;
 }
 
+// Before what only storms need. A loop that runs once or not at all, since a CPU renderer runs both sides of a
+// branch; but it counts the rounds as well, so a reference, which has many, says CLOUDS_BRANCH.
+#if defined(CLOUDS_WITHOUT_STORMS)
+#define WHERE_STORMS_STAND if (false)
+#elif defined(CLOUDS_BRANCH)
+#define WHERE_STORMS_STAND if (clouds.eye.w > 0.0)
+#else
+#define WHERE_STORMS_STAND for (int once = 0; once < int(clouds.eye.w > 0.0); ++once)
+#endif
+
 // Where a place was before the wind drew the tops along.
 vec2 cloud_unsheared(vec3 p, float altitude) {
-  float drawn = cloud_drawn(altitude - clouds.layer.w, clouds.wind.z, clouds.eye.w * clouds.form.w);
+  float over = altitude - clouds.layer.w;
+  float drawn = clouds.wind.z * over;
+  WHERE_STORMS_STAND drawn = storm_drawn(over, clouds.wind.z, clouds.eye.w * clouds.form.w);
   return p.xz - clouds.wind.xy * drawn;
 }
 
@@ -39,16 +51,6 @@ CloudColumn cloud_column_from(vec4 weather, vec2 plan) {
 CloudColumn cloud_column(vec2 plan) {
   return cloud_column_from(textureLod(cloud_weather, cloud_weather_at(plan), 0.0), plan);
 }
-
-// Before what only storms need. A loop that runs once or not at all, since a CPU renderer runs both sides of a
-// branch; but it counts the rounds as well, so a reference, which has many, says CLOUDS_BRANCH.
-#if defined(CLOUDS_WITHOUT_STORMS)
-#define WHERE_STORMS_STAND if (false)
-#elif defined(CLOUDS_BRANCH)
-#define WHERE_STORMS_STAND if (clouds.eye.w > 0.0)
-#else
-#define WHERE_STORMS_STAND for (int once = 0; once < int(clouds.eye.w > 0.0); ++once)
-#endif
 
 // A place in its column: all that needs no noise.
 struct CloudPlace {
@@ -121,6 +123,13 @@ CloudPlace cloud_place_beside(CloudPlace place, vec3 p) {
 // The most that noise can add: where this is not positive there is no cloud.
 float cloud_most_inside(CloudPlace place) { return place.inside + 0.5 * place.freedom; }
 
+// Where a way (cells per m) from within a cell reaches whichever of its walls comes first, m.
+float cloud_cell_end(vec2 at, vec2 way) {
+  vec2 ahead = 0.5 + sign(way) * (fract(at) - 0.5);  // 0 at the wall behind, 1 at the one before
+  vec2 ends = (1.0 - ahead) / max(abs(way), vec2(1.0e-9));
+  return min(ends.x, ends.y);
+}
+
 // How far a ray can go on from a place without meeting any cloud, because the coarse cell of the weather
 // that it crosses holds none, or none so high on a way up: to the cell's end, or 0.
 float cloud_clear_way(vec3 p, vec3 direction) {
@@ -129,15 +138,11 @@ float cloud_clear_way(vec3 p, vec3 direction) {
   vec2 at = cloud_weather_at(cloud_unsheared(p, altitude)) * kCells;
   float most = textureLod(cloud_most, at * (1.0 / kCells), 0.0).r;
   float top = mix(2.0 * clouds.layer.w - clouds.layer.x, clouds.layer.y, most);
-  // To whichever wall comes first, by the least and by the most that a height draws it along.
-  float ends = 1.0e9;
-  vec2 drawn = clouds.wind.z * direction.y * vec2(1.0, cloud_most_drawn(clouds.eye.w));
-  for (int i = 0; i < (clouds.eye.w > 0.0 ? 2 : 1); ++i) {
-    vec2 way = (direction.xz - clouds.wind.xy * drawn[i]) * (clouds.weather.z * kCells);
-    vec2 ahead = 0.5 + sign(way) * (fract(at) - 0.5);  // 0 at the wall behind, 1 at the one before
-    vec2 reached = (1.0 - ahead) / max(abs(way), vec2(1.0e-9));
-    ends = min(ends, min(reached.x, reached.y));
-  }
+  // A storm's height draws it along by something between the even lean and the most of it.
+  vec2 drawn = clouds.wind.xy * (clouds.wind.z * direction.y);
+  float scale = clouds.weather.z * kCells;
+  float ends = cloud_cell_end(at, (direction.xz - drawn) * scale);
+  WHERE_STORMS_STAND ends = min(ends, cloud_cell_end(at, (direction.xz - kMostDrawn * drawn) * scale));
   bool clear = most <= 0.0 || (direction.y >= 0.0 && altitude > top);
   return clear ? ends + 1.0 : 0.0;
 }

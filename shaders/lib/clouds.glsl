@@ -106,15 +106,15 @@ float storm_outline(CloudKind kind, float x) {
   return below * below + mix(tower, min(tower, anvil), spreads);
 }
 
-// How far the wind has drawn a cloud along, m, at a height over the bases where it leans by `lean` (m per m): evenly;
-// of a storm `thickness` (m) high the upper half more and more, so that its anvil trails downwind. And at most how
-// many times as fast as `lean` that goes there with height.
+// How far the wind has drawn a storm along, m, at a height over the bases where clouds lean by `lean` (m per m): beside
+// their even lean its upper half more and more, so that its anvil trails downwind.
 const float kAnvilDrawn = 4.0;
-float cloud_drawn(float over, float lean, float thickness) {
+float storm_drawn(float over, float lean, float thickness) {
   float up = max(over - 0.5 * thickness, 0.0);
-  return lean * (over + (thickness > 0.0 ? kAnvilDrawn * up * up / thickness : 0.0));
+  return lean * (over + kAnvilDrawn * up * up / max(thickness, 1.0));
 }
-float cloud_most_drawn(float thickness) { return thickness > 0.0 ? 1.0 + 1.2 * kAnvilDrawn : 1.0; }
+// At most how many times as fast as `lean` that goes there with height.
+const float kMostDrawn = 1.0 + 1.2 * kAnvilDrawn;
 
 // Rain that reaches the air beneath: of layers all of it, of heaps what has a tower over it.
 float rain_falling(float type, float precipitation, float rain) {
