@@ -22,6 +22,10 @@ constexpr double kCurlReach = 90.0;
 /// Bases of different clouds lie this far apart at most, by type, m.
 constexpr double kBaseSpread = 190.0;
 constexpr double kHuge = 1e7;
+/// A ray that is outside by one of the field goes on this far, m. Rolls have steeper sides, storms
+/// wider ones, and kilometres of air beneath what overhangs: shorter, a ray has no steps left when
+/// it comes to them.
+constexpr double kSureWay = 260.0;
 
 double fraction(double x) { return x - std::floor(x); }
 
@@ -76,9 +80,9 @@ shared::CloudData cloud_data(const CloudView& view, const SkyLight& light) {
   data.phase = pack(p.forward_scattering, p.back_scattering, p.back_share, p.phase_weight);
   data.ambient = pack(p.powder, p.ambient, 0.0, 0.0);
 
-  data.march =
-      pack(p.step_scale, p.phase == static_cast<int>(CloudPhase::kDroplets) ? p.droplets_um : 0.0,
-           0.0, 0.0);
+  data.march = pack(
+      p.step_scale, p.phase == static_cast<int>(CloudPhase::kDroplets) ? p.droplets_um : 0.0,
+      kSureWay * glsl::cloud_blend(1.0, 0.5, data.eye.w > 0.0f ? 2.0 : 1.0, type) * p.scale, 0.0);
   data.flash = pack(flash_place(view), view.flash.candela);
   return data;
 }

@@ -94,7 +94,7 @@ CloudPlace cloud_place_in(CloudPlace place, float excess, float rain, float alti
   float strength = cloud_strength(place.kind, excess);
   float edge = place.kind.given - clouds.form.x;
   place.inside = place.kind.sharpness * (strength - cloud_outline(place.kind, place.x)) + edge;
-  place.freedom = place.kind.sharpness * place.kind.roughness * clouds.form.y * cloud_freedom(place.x);
+  place.freedom = place.kind.sharpness * clouds.form.y * cloud_reach(place.kind, place.x);
   place.smoothed = 0.0;
   WHERE_STORMS_STAND place = cloud_place_in_storm(place, rain, altitude);
   return place;

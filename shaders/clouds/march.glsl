@@ -27,6 +27,7 @@ const float kLeast = LEAST;  // transmittance at which a ray has seen all that s
 // (engine/clouds/LIGHT.md).
 const float kHeapLeak = 0.4;     // k, per scaled mean free path
 const float kHeapFacing = 0.25;  // cosine
+const float kCleftHides = 0.6;   // of the light from all round
 const float kTopsReflect = 0.5;  // of the light, where a layer of heaps is seen from above
 const vec2 kHeapTakes = vec2(0.44, 0.84);  // of the light on a square across its way: of a flat one; what a high one adds
 
@@ -145,6 +146,8 @@ vec3 cloud_leaving(CloudRay ray, CloudPlace place, vec3 p, float to_light, float
     float over = smoothstep(800.0, 2500.0, (cloud_altitude(p) - place.base) / clouds.form.w);
     vec3 tops = kTopsReflect * min(1.0 - clouds.weather.w, 1.0) / kPhasePi * light * level;
     around = mix(around, 0.5 * (ray.from_below + tops + ray.from_above), over);
+    // Clefts, where the noise has moved the edge inward, see less of either than turrets.
+    around *= 1.0 - kCleftHides * over * clamp(place.inside / max(place.freedom, 0.1), -0.5, 0.5);
   }
   ambient = mix(ambient, around, heap);
   CloudField field = cloud_field(above_light, above_light + beyond * clouds.light.x, facing, ray.g, leak);
@@ -210,7 +213,7 @@ CloudSight march_low(CloudRay ray, float near, float far, int light_steps) {
     last = t;
     // In cloud as fine as one can see; outside an edge as far as the field allows.
     t += inside > 0.0 ? base_step * (1.0 + 1.5 * (1.0 - sight.transmittance))
-                      : clamp(-inside * 260.0 * clouds.form.w, base_step,
+                      : clamp(-inside * clouds.march.z, base_step,
                               max(LONGEST_SKIP * base_step + 37.5 * LONGEST_SKIP, base_step));
   }
   // A ray that has seen all that shows has seen it all.

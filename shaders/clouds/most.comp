@@ -29,8 +29,8 @@ void main() {
   float top = 0.0;  // m
   for (int i = 0; i < kHeights; ++i) {
     float x = kOver * float(i) / float(kHeights), next = kOver * float(i + 1) / float(kHeights);
-    float most = 0.5 * form.z * cloud_freedom(x);
-    float inside = kind.sharpness * (strength + kind.roughness * most - cloud_outline(kind, x)) + kind.given;
+    float most = strength + 0.5 * form.z * cloud_reach(kind, x);
+    float inside = kind.sharpness * (most - cloud_outline(kind, x)) + kind.given;
     if (inside > form.y) top = max(top, next * kind.thickness);
     float free = form.z * cloud_freedom(5.0 * x);
     most = storm_strength(storm, value.a, 1.0, free) + 0.5 * storm.roughness * free;

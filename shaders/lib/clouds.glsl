@@ -32,12 +32,12 @@ CloudKind cloud_kind(float type) {
   CloudKind kind;
   kind.thickness = cloud_blend(320.0, 480.0, 1050.0, type);
   kind.full = cloud_blend(0.32, 0.45, 0.34, type);
-  kind.roughness = cloud_blend(0.9, 1.0, 1.35, type);
+  kind.roughness = cloud_blend(0.9, 1.2, 1.35, type);
   kind.bottom = cloud_blend(0.15, 0.45, 0.05, type);
   kind.round_from = cloud_blend(0.0, 0.35, 0.04, type);
   kind.round_sharply = cloud_blend(0.0, 0.3, 0.9, type);
   kind.extinction = cloud_blend(0.9, 0.75, 1.0, type);
-  kind.sharpness = cloud_blend(0.4, 1.0, 1.0, type);
+  kind.sharpness = cloud_blend(0.4, 0.75, 1.0, type);
   kind.given = cloud_blend(0.15, 0.05, 0.0, type);
   return kind;
 }
@@ -131,6 +131,10 @@ float storm_grown(float type, float precipitation, float rain) {
 
 // How much of the noise counts at height x: bases are flat.
 float cloud_freedom(float x) { return mix(0.30, 1.0, smoothstep(0.0, 0.22, x)); }
+
+// How far it moves the edge of a kind there, in units of `full`: bases that close over some height are no flatter
+// than sides.
+float cloud_reach(CloudKind kind, float x) { return kind.roughness * cloud_freedom(x + 0.5 * (kind.bottom - 0.05)); }
 
 // Wispy below, where edges are drawn out, and billowy above (Schneider 2015). `noise` 0 … 1 is bright
 // within cells.

@@ -26,7 +26,7 @@ struct CloudData {
   vec4 light;     // x: absorption on the way in, y: out; z: least share of the sunlight; w: brightness
   vec4 phase;     // x: g forward, y: g backward (positive), z: share backward, w: weight against even scattering
   vec4 ambient;   // x: powder; y: strength of ambient light; z, w: unused
-  vec4 march;  // x: length of the steps over their usual one; y: diameter of the droplets (um), 0: two lobes; z, w: unused
+  vec4 march;  // x: length of the steps over their usual one; y: diameter of the droplets (um), 0: two lobes; z: way to an edge that is sure for one of the field outside it (m); w: unused
   vec4 shadow_light;  // xyz: toward the light that the shadow map was made for, not flat; w: unused
   vec4 shadow;    // xy: middle of the shadow map from the camera (x, z; m); z: 1 / its side (1/m); w: its height (m over the sea)
   vec4 flash;     // xyz: place of the lightning from the camera (m); w: its luminous intensity (cd), 0: none
