@@ -148,6 +148,44 @@ TEST(Storms, AnvilsSpreadFromTallTowersAlone) {
   EXPECT_GE(storm_outline(low, 0.88), storm_outline(low, 0.6));
 }
 
+TEST(Storms, AreDrawnAlongAsFastAsAMarchExpects) {
+  // What skips empty cells bounds the way that a height draws by kMostDrawn.
+  const double thickness = 7000.0, lean = 0.3, step = 1.0;
+  double fastest = 0.0;
+  for (double over = -200.0; over < 1.06 * thickness + 200.0; over += step) {
+    const double drawn =
+        storm_drawn(over + step, lean, thickness) - storm_drawn(over, lean, thickness);
+    EXPECT_GE(drawn, lean * step * (1.0 - 1e-9)) << over;
+    fastest = std::max(fastest, drawn / (lean * step));
+  }
+  EXPECT_LE(fastest, kMostDrawn);
+  EXPECT_GT(fastest, 4.0);                                         // an anvil trails
+  EXPECT_EQ(storm_drawn(1000.0, lean, thickness), lean * 1000.0);  // other clouds as ever
+}
+
+TEST(Storms, RainFallsFromHeapsBeneathTowersAlone) {
+  const double precipitation = 0.8, thickness = storm_thickness(1.0, precipitation);
+  const CloudKind kind = storm_kind(thickness, precipitation);
+  for (double rain = 0.0; rain <= precipitation; rain += 0.02) {
+    EXPECT_EQ(rain_falling(0.0, precipitation, rain), rain);
+    const double falls = rain_falling(1.0, precipitation, rain);
+    EXPECT_LE(falls, rain);
+    const double strength = storm_strength(kind, rain, 1.0, cloud_freedom(0.1));
+    if (falls > 0.0) {
+      EXPECT_GT(strength, storm_outline(kind, 0.02)) << rain;
+    }
+  }
+  EXPECT_EQ(rain_falling(1.0, precipitation, precipitation), precipitation);
+}
+
+TEST(Weather, AClosedSkyHasNoThinPlaces) {
+  for (const double cover : {0.0, 0.3, 0.8}) EXPECT_EQ(weather_threshold(cover), 1.0 - cover);
+  EXPECT_LT(weather_threshold(1.0), -0.2);
+  for (double cover = 0.0; cover < 1.0; cover += 0.05) {
+    EXPECT_LT(weather_threshold(cover + 0.05), weather_threshold(cover));
+  }
+}
+
 TEST(Weather, ShowersCoverAShareAndLayersRainFromThemselves) {
   int raining = 0, stray = 0;
   constexpr int kSide = 60;
