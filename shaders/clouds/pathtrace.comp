@@ -12,9 +12,11 @@ layout(location = 0) uniform ivec2 corner;                   // of the part, pix
 layout(location = 1) uniform ivec2 samples;                  // number of the first; how many
 
 const int kMostSteps = 100000;  // of one tracked segment: a guard, never reached
-const int kMostTurns = 1000;
-const int kTurnsBeforeRoulette = 40;
-const float kSurvival = 0.97;
+// In thick cloud light is turned hundreds of times, and a lot that ended paths sooner than the cloud lets them
+// out left its light to a few of great worth: means of hundreds of paths then fell short.
+const int kMostTurns = 2500;
+const int kTurnsBeforeRoulette = 200;
+const float kSurvival = 0.998;
 
 uint random_state = 0u;
 
@@ -28,7 +30,11 @@ float random_share() {
 // The most extinction anywhere (1/m): that of a dense cumulus, or more where it rains.
 float majorant() { return clouds.layer.z * 1.4; }
 
+#ifdef EVEN_EXTINCTION  // a layer that adding and doubling can solve too
+float extinction_at(vec3 p) { return clouds.layer.z; }
+#else
 float extinction_at(vec3 p) { return cloud_extinction(p, 0.0); }
+#endif
 
 // Where a path from `origin` next meets a droplet; negative where it leaves the clouds.
 float next_droplet(vec3 origin, vec3 direction) {
