@@ -193,12 +193,24 @@ void CloudMarch::resize(glm::ivec2 size) {
   }
   pictures_[0] = picture("clouds picture a", GL_RGBA16F, size);
   pictures_[1] = picture("clouds picture b", GL_RGBA16F, size);
-  // What is never marched, beneath the horizon, holds no cloud.
-  const float nothing[4] = {0.0f, 0.0f, 0.0f, 1.0f};
-  for (const gl::Texture& texture : pictures_)
-    glClearTexImage(texture.id(), 0, GL_RGBA, GL_FLOAT, nothing);
+  for (const int which : {0, 1}) {
+    empty_rows_[which] = 0;
+    empty_rows(which, size.y);
+  }
   known_ = false;
   for (PassMemory* memory : {&march_memory_, &resolve_memory_}) memory->reset();
+}
+
+void CloudMarch::empty_rows(int which, int rows) {
+  const gl::Texture& picture = pictures_[which];
+  const float nothing[4] = {0.0f, 0.0f, 0.0f, 1.0f};
+  const int from = empty_rows_[which];
+  if (rows > from) {
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    glClearTexSubImage(picture.id(), 0, 0, from, 0, picture.width(), rows - from, 1, GL_RGBA,
+                       GL_FLOAT, nothing);
+  }
+  empty_rows_[which] = rows;
 }
 
 TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const CloudIds& ids,
@@ -248,6 +260,7 @@ TextureId CloudMarch::add(FrameGraph& graph, const CloudField& field, const Clou
   const bool from_below = view.eye.y < field.lowest_base();
   const int first_row = from_below ? first_sky_row(camera) / cell.y : 0;
   const float sea_below = from_below ? -static_cast<float>(horizon_dip(view.eye.y)) : -1.0f;
+  if (visible && !settled) empty_rows(newest_, first_row * cell.y);
   const bool inside = view.eye.y > field.lowest_base() && view.eye.y < field.highest_top();
   const int own_steps = inside && quality_.light_steps_inside > 0 ? quality_.light_steps_inside
                                                                   : quality_.light_steps;

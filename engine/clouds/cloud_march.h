@@ -67,6 +67,8 @@ class CloudMarch {
   };
 
   void resize(glm::ivec2 size);
+  /// Rows that are not marched, beneath the horizon, hold no cloud, whatever they held before.
+  void empty_rows(int which, int rows);
 
   CloudQuality quality_;
   Marched in_turn_, anew_;
@@ -76,6 +78,7 @@ class CloudMarch {
   gl::Sampler linear_;
   gl::VertexArray no_vertices_;
   gl::Texture pictures_[2];
+  int empty_rows_[2] = {0, 0};
   int newest_ = 0;
   int turn_ = 0;          ///< which pixel of each cell comes next
   int anew_turn_ = 0;     ///< the same after a cut, of cut_cell; its number of pixels: done

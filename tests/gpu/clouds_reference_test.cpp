@@ -66,6 +66,20 @@ TEST_F(CloudReferenceTest, TheMarchComesNearToItsReferenceAndBetterWithQuality) 
   }
 }
 
+TEST_F(CloudReferenceTest, WhatWasSeenAboveLeavesNothingBeneathTheHorizon) {
+  const FrameView up = view({"camera.target=60,90,-80", "environment.clouds.cover=0.9"});
+  const FrameView level = view({"camera.target=60,4,-80", "environment.clouds.cover=0.9"});
+  for (const int quality : {0, 3}) {
+    CloudRun run(CloudQuality::of(quality));
+    for (int frame = 0; frame < 4; ++frame) run.march(up);
+    for (int frame = 0; frame < 4; ++frame) run.march(level);
+    const CloudSightings seen = run.marched(level);
+    for (int i = 0; i < kSize.x * (kSize.y / 2 - 1); ++i)
+      ASSERT_EQ(seen.light[static_cast<std::size_t>(i)], glm::vec4(0, 0, 0, 1)) << quality << i;
+    EXPECT_LT(mean_transmittance(seen), 0.9);
+  }
+}
+
 TEST_F(CloudReferenceTest, TheLightModelComesNearToThePathTracer) {
   CloudRun run(CloudQuality::of(3));
   // High sun and low; the paths' noise is some hundredths of the mean.
