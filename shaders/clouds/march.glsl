@@ -135,7 +135,9 @@ vec3 cloud_leaving(CloudRay ray, CloudPlace place, vec3 p, float to_light, float
   float scaled = 1.0 - ray.g;
   float middle = 0.5 * scaled * full + kMarshak;
   float kept = (scaled * full * x + kMarshak) * (scaled * full * (1.0 - x) + kMarshak) / (middle * middle);
-  kept = mix(kept, 1.0, level * level * level * level);
+  // Of a field that hangs on height alone, a share of level^2 of the second derivative lies along the light's way,
+  // where cloud_field has it already; the rest across.
+  kept = mix(kept, 1.0, level * level);
   float leak = kHeapLeak * heap;
   float facing = mix(max(level, 0.1), kHeapFacing, heap);
   float taken = mix(max(level, 0.1) * kept, (kHeapTakes.x + kHeapTakes.y * level) * (0.72 + 0.56 * x), heap);
