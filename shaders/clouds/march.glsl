@@ -29,7 +29,9 @@ const float kHeapLeak = 0.4;     // k, per scaled mean free path
 const float kHeapFacing = 0.25;  // cosine
 const float kCleftHides = 0.6;   // of the light from all round
 const float kTopsReflect = 0.5;  // of the light, where a layer of heaps is seen from above
-const vec2 kHeapTakes = vec2(0.44, 0.84);  // of the light on a square across its way: of a flat one; what a high one adds
+const float kOthersReflect = 0.5;  // likewise, of what a neighbour's side sends to the shaded side of a heap
+const float kSkyLook = 0.35;  // height at which each half of the sky is looked at, radians
+const vec2 kHeapTakes = vec2(0.44, 0.72);  // of the light on a square across its way: of a flat one; what a high one adds
 
 struct CloudSight {
   vec3 radiance;  // cd/m^2
@@ -42,6 +44,7 @@ struct CloudRay {
   vec3 direction;
   vec3 low_light, high_light;  // lux of the light at the lowest base and at the highest top
   vec3 from_above, from_below; // mean radiance of sky and sea, cd/m^2
+  vec3 lit_half, dim_half;  // radiance of the sky's half on the light's side and of the other, over their mean
   float cosine;   // to the light
   float phase;    // of light scattered once
   float blurred;  // of light that was bent forward before
@@ -62,6 +65,14 @@ CloudRay cloud_ray(vec3 direction, float near) {
   vec3 sky_above = frame.sky_illuminance.rgb;
   ray.from_above = clouds.ambient.y * sky_above / kPhasePi;
   ray.from_below = ray.from_above * 0.08 + clouds.ambient.y * 0.05 / kPhasePi * ray.low_light * max(level, 0.0);
+  // A low light leaves one half of the sky brighter and warmer: told from one look into each.
+  vec2 toward = light.xz * inversesqrt(max(dot(light.xz, light.xz), 1.0e-8));
+  const vec2 kLook = vec2(cos(kSkyLook), sin(kSkyLook));
+  vec3 lit = sky_radiance(vec3(toward.x * kLook.x, kLook.y, toward.y * kLook.x));
+  vec3 other = sky_radiance(vec3(-toward.x * kLook.x, kLook.y, -toward.y * kLook.x));
+  vec3 share = lit / max(lit + other, vec3(1.0e-12));
+  ray.lit_half = 2.0 * share;
+  ray.dim_half = 2.0 - 2.0 * share;
   // Droplets of one diameter, or two lobes as in the sources.
   vec4 lobes = clouds.phase;
   ray.g = lobes.x * (1.0 - lobes.z) - lobes.y * lobes.z;
@@ -140,19 +151,24 @@ vec3 cloud_leaving(CloudRay ray, CloudPlace place, vec3 p, float to_light, float
   kept = mix(kept, 1.0, level * level);
   float leak = kHeapLeak * heap;
   float facing = mix(max(level, 0.1), kHeapFacing, heap);
-  float taken = mix(max(level, 0.1) * kept, (kHeapTakes.x + kHeapTakes.y * level) * (0.72 + 0.56 * x), heap);
+  float taken = mix(max(level, 0.1) * kept, (kHeapTakes.x + kHeapTakes.y * level) * (0.60 + 0.74 * x), heap);
   vec3 ambient = cloud_ambient(full * (1.0 - x), full, ray.from_above, ray.from_below, ray.direction.y, ray.g);
-  vec3 around = mix(ray.from_below, ray.from_above, 0.7 + 0.3 * x);
+  // A heap lets little of the sky's brighter half through to the side that is turned away from the light.
+  float along_light = above_light + beyond * clouds.light.x;
+  vec3 from_sky = ray.from_above * cloud_ambient(min(above_light, full), full, ray.lit_half, ray.dim_half, ray.cosine, ray.g);
+  vec3 around = mix(ray.from_below, from_sky, 0.6 + 0.3 * x);
+  // Neighbours whose sides are in the light.
+  around += clouds.ambient.y * kOthersReflect * min(1.0 - clouds.weather.w, 1.0) * level * (1.0 - level) / kPhasePi * light;
   // A storm overlooks the tops of the others: its shaded sides see them, and sky by half.
   WHERE_STORMS_STAND {
     float over = smoothstep(800.0, 2500.0, (cloud_altitude(p) - place.base) / clouds.form.w);
     vec3 tops = kTopsReflect * min(1.0 - clouds.weather.w, 1.0) / kPhasePi * light * level;
-    around = mix(around, 0.5 * (ray.from_below + tops + ray.from_above), over);
+    around = mix(around, 0.5 * (ray.from_below + tops + from_sky), over);
     // Clefts, where the noise has moved the edge inward, see less of either than turrets.
     around *= 1.0 - kCleftHides * over * clamp(place.inside / max(place.freedom, 0.1), -0.5, 0.5);
   }
   ambient = mix(ambient, around, heap);
-  CloudField field = cloud_field(above_light, above_light + beyond * clouds.light.x, facing, ray.g, leak);
+  CloudField field = cloud_field(above_light, along_light, facing, ray.g, leak);
   float powder = mix(1.0, cloud_powder(above_light), clouds.ambient.x * clamp(0.5 - 0.5 * ray.cosine, 0.0, 1.0));
   float spread = kFieldGain * (taken / facing) * max(field.mean + kFieldTilt * ray.g * field.tilt * ray.cosine, 0.0);
   float sunlit = powder * (ray.phase * field.once + ray.blurred * field.forward) + spread;
