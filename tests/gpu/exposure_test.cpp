@@ -1,9 +1,12 @@
 #include "engine/post/exposure.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "engine/post/bloom.h"
+#include "engine/post/tonemap.h"
 #include "support/graph_test.h"
 
 namespace offing {
@@ -126,6 +129,51 @@ TEST_F(ExposureTest, GlowMakesNoLight) {
   EXPECT_GT(pixel(12, 8), 4.0f * pixel(16, 8));
   EXPECT_GT(pixel(16, 8), pixel(20, 8));
   EXPECT_GT(pixel(20, 8), 0.0f);
+}
+
+// The sun is thousands of times as bright as white, so its glow shows down to the last of its
+// kernel's tails.
+TEST_F(ExposureTest, TheGlowOfADiscIsRound) {
+  Tonemap tonemap(*shaders_);
+  const gl::Texture out("out", {.format = GL_RGBA8, .width = kWidth, .height = kHeight});
+  double squares = 0.0;
+  constexpr int kShifts = 16;
+  for (int i = 0; i < kShifts; ++i) {
+    const float shift = 4.0f * static_cast<float>(i) / kShifts;  // over one texel of the glow
+    const glm::vec2 middle(kWidth / 2 + shift, kHeight / 2 + 0.6f * shift);
+    std::vector<float> disc(kWidth * kHeight * 4, 0.0f);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const float away = glm::distance(glm::vec2(x, y) + 0.5f, middle);
+        const float share = std::clamp(2.0f - away, 0.0f, 1.0f);
+        for (int c = 0; c < 3; ++c) {
+          disc[static_cast<std::size_t>(4 * (y * kWidth + x) + c)] = 1e4f * share;
+        }
+      }
+    }
+    hdr_.upload(GL_RGBA, GL_FLOAT, disc.data());
+    graph_->begin_frame();
+    const TextureId hdr = graph_->import(hdr_), shown = graph_->import(out);
+    const TextureId glow = bloom_->add(*graph_, hdr);
+    tonemap.add(*graph_, hdr, shown, {.exposure = 1e-5, .glow_share = 0.025}, {}, glow);
+    graph_->add(
+        "show", [&](PassBuilder& pass) { pass.read(shown).side_effect(); }, [](PassContext&) {});
+    graph_->execute();
+    const std::vector<float> picture = out.read_floats(4);
+    // The part that is nearly white: r^4 cos 4a over r^4 is 0 for a disc, -.43 for a square.
+    double four = 0.0, all = 0.0;
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        if (picture[static_cast<std::size_t>(4 * (y * kWidth + x))] < 0.97f) continue;
+        const glm::dvec2 d = glm::dvec2(x, y) + 0.5 - glm::dvec2(middle);
+        four += std::pow(d.x, 4) - 6.0 * d.x * d.x * d.y * d.y + std::pow(d.y, 4);
+        all += std::pow(glm::dot(d, d), 2);
+      }
+    }
+    ASSERT_GT(all, 0.0);
+    squares += std::pow(four / all, 2) / kShifts;
+  }
+  EXPECT_LT(std::sqrt(squares), 0.1);
 }
 
 TEST_F(ExposureTest, OneBadPixelDoesNotSpread) {
