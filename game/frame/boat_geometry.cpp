@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "game/frame/boat_pass.h"
 #include "game/frame/weld.h"
@@ -15,6 +16,24 @@ struct ClothVertex {
   glm::vec2 uv;
   glm::vec4 tangents;  ///< d(y, z)/du, d(y, z)/dv
 };
+
+/// A lamp's vertices as boat/rigid.vert wants them: all at its middle, the way from there as
+/// normal, its smallest radius in u, so that it can be drawn larger than it is.
+void place_from_middle(std::span<RigidVertex> lamp) {
+  if (lamp.empty()) return;
+  glm::vec3 low = lamp.front().position, high = low;
+  for (const RigidVertex& vertex : lamp) {
+    low = glm::min(low, vertex.position);
+    high = glm::max(high, vertex.position);
+  }
+  const glm::vec3 middle = 0.5f * (low + high), reach = 0.5f * (high - low);
+  const float radius = std::max(std::min({reach.x, reach.y, reach.z}), 1e-3f);
+  for (RigidVertex& vertex : lamp) {
+    vertex.normal = vertex.position - middle;
+    vertex.position = middle;
+    vertex.uv = {radius, 0.0f};
+  }
+}
 
 }  // namespace
 
@@ -52,9 +71,14 @@ void BoatPass::build_rigid(ShaderLibrary& shaders, const Model& model) {
                          static_cast<float>(primitive.material)};
     });
   };
-  // One draw for each program, picture and carrier; the wires last, since they blend with what lies
-  // behind them.
-  const auto gather_carried = [&](const ShaderProgram& program, int picture, bool wire,
+  const auto part_of = [&](int material) {
+    const auto i = static_cast<std::size_t>(material);
+    if (model.materials[i].name == "wire") return Part::kWire;
+    return lamps_[i] == Lamp::kAllRound ? Part::kSolid : Part::kLamp;
+  };
+  // One draw for each program, picture and carrier; wires and lamps last, since they blend with
+  // what lies behind them.
+  const auto gather_carried = [&](const ShaderProgram& program, int picture, Part part,
                                   int carrier) {
     const auto first = static_cast<std::uint32_t>(indices.size());
     for (int node = 0; node < static_cast<int>(model.nodes.size()); ++node) {
@@ -64,29 +88,32 @@ void BoatPass::build_rigid(ShaderLibrary& shaders, const Model& model) {
            model.nodes[static_cast<std::size_t>(node)].primitives) {
         const ModelMaterial& material =
             model.materials[static_cast<std::size_t>(primitive.material)];
-        const bool is_wire = material.name == "wire";
-        if (is_wire == wire && (wire || material.base_colour_image == picture))
-          append(node, primitive);
+        if (part_of(primitive.material) != part) continue;
+        if (part == Part::kSolid && material.base_colour_image != picture) continue;
+        const std::size_t first_vertex = vertices.size();
+        append(node, primitive);
+        if (part == Part::kLamp) place_from_middle(std::span(vertices).subspan(first_vertex));
       }
     }
     const auto count = static_cast<std::uint32_t>(indices.size()) - first;
     if (count == 0) return;
     DetailLevels levels;
     levels.fill({first, count});  // a wire's radius is not in its vertices: it stays as it is
-    if (!wire) levels = add_detail_levels(vertices, indices, first);
-    draws_.push_back({&program, levels, picture, wire, carrier});
+    if (part == Part::kSolid) levels = add_detail_levels(vertices, indices, first);
+    draws_.push_back({&program, levels, picture, part, carrier});
   };
-  const auto gather = [&](const ShaderProgram& program, int picture, bool wire) {
+  const auto gather = [&](const ShaderProgram& program, int picture, Part part) {
     for (const int carrier : {kStill, boom_, rudder_, wheel_}) {
-      gather_carried(program, picture, wire, carrier);
+      gather_carried(program, picture, part, carrier);
     }
   };
   const std::vector<std::filesystem::path> stages = {"boat/rigid.vert", "boat/rigid.frag"};
-  gather(shaders.program(stages), -1, false);
+  gather(shaders.program(stages), -1, Part::kSolid);
   for (int picture = 0; picture < static_cast<int>(pictures_.size()); ++picture) {
-    gather(shaders.program(stages, {{"PICTURE", "1"}}), picture, false);
+    gather(shaders.program(stages, {{"PICTURE", "1"}}), picture, Part::kSolid);
   }
-  gather(shaders.program(stages, {{"WIRE", "1"}}), -1, true);
+  gather(shaders.program(stages, {{"WIRE", "1"}}), -1, Part::kWire);
+  gather(shaders.program(stages, {{"LAMP", "1"}}), -1, Part::kLamp);
   mask_.first = static_cast<std::uint32_t>(indices.size());
   if (mask >= 0) {
     for (const ModelPrimitive& primitive : model.nodes[static_cast<std::size_t>(mask)].primitives) {

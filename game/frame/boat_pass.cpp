@@ -203,12 +203,14 @@ void BoatPass::draw(const Pose& pose) const {
     item.program->use();
     item.program->program().set(0, item.carrier);
     if (item.picture >= 0) pictures_[static_cast<std::size_t>(item.picture)].bind(0);
-    if (item.wire) {
+    if (item.part == Part::kWire) {
       glDisable(GL_CULL_FACE);
-      glEnable(GL_BLEND);
-      glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     } else {
       glEnable(GL_CULL_FACE);
+    }
+    if (item.part != Part::kSolid) {
+      glEnable(GL_BLEND);
+      glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     }
     draw_range(item.levels[static_cast<std::size_t>(pose.detail)]);
   }
@@ -226,7 +228,7 @@ void BoatPass::cast_opaque(const Pose& pose) const {
   cast_program_.use();
   // A shadow's edge is softer than what throws it by more than the coarsest level is off.
   for (const Draw& item : draws_) {
-    if (item.wire) continue;
+    if (item.part != Part::kSolid) continue;
     cast_program_.program().set(0, item.carrier);
     draw_range(item.levels.back());
   }

@@ -75,11 +75,13 @@ class BoatPass {
   ClothStyle flag = flag_style();
 
  private:
+  /// Wires and lamps are never drawn thinner than a pixel, but fainter.
+  enum class Part { kSolid, kWire, kLamp };
   struct Draw {
     const ShaderProgram* program;
     DetailLevels levels;
     int picture;  ///< index into pictures_, or -1
-    bool wire;
+    Part part;
     int carrier;  ///< the node in whose frame its vertices are
   };
   struct Cloth {

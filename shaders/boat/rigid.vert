@@ -25,6 +25,15 @@ void main() {
   vec4 in_boat = boat_from_node * vec4(position, 1.0);
   vec3 turned = mat3(boat_from_node) * normal;
   float coverage = 1.0;
+#ifdef LAMP
+  // Its middle, and the way from there (m) in place of a normal; the smallest radius in u. As with a wire: never
+  // less than a disc that has some pixel's middle in it, however small it should be.
+  float distance = length((boat.relative_from_boat * in_boat).xyz);
+  float grown = max(0.75 * distance * frame.camera.w / uv.x, 1.0);
+  in_boat.xyz += turned * grown;
+  turned = normalize(turned);
+  coverage = 1.0 / (grown * grown);
+#endif
 #ifdef WIRE
   // A wire thinner than a pixel flickers. Draw it a pixel wide and as much fainter as that is too wide
   // (E. Persson, "Phone-wire AA", 2012). Its radius comes in u.

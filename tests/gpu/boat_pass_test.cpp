@@ -342,6 +342,44 @@ TEST_F(BoatPicture, EachLampIsSeenOverItsArc) {
   EXPECT_GT(shining({9.0f, 8.0f, -9.0f}, masthead).z, 0);
 }
 
+// From far off a lamp is smaller than a pixel: wherever it lies among them it gives the light that
+// it gives where it is many pixels large.
+TEST_F(BoatPicture, ALampIsNotLostBetweenPixels) {
+  frame_.sun_illuminance = frame_.sky_illuminance = glm::vec4(0.0f);
+  const glm::vec3 stern(-0.4f, 1.5f, 3.7f), eye(0.0f, 4.0f, 30.0f), up(0.0f, 1.0f, 0.0f);
+  // All of its light, in units of the exposed luminance times rad^2.
+  const auto light = [&](glm::vec3 target, float fov) {
+    look(eye, target, up, fov);
+    const auto sum = [&](float lights) {
+      BoatView view;
+      view.navigation_lights = lights;
+      view.hoisted = false;
+      const Picture picture = draw(view);
+      double all = 0.0;
+      for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) all += picture.luminance(x, y);
+      }
+      return all;
+    };
+    const double pixel = fov / kHeight;
+    return (sum(1.0f) - sum(0.0f)) * pixel * pixel;
+  };
+  const double large = light(stern, 0.02f);
+  ASSERT_GT(large, 0.0);
+  double mean = 0.0;
+  constexpr int kPlaces = 16;
+  const float pixel = kFieldOfView / kHeight * glm::distance(eye, stern);  // m
+  for (int i = 0; i < kPlaces; ++i) {
+    const auto turn = static_cast<float>(i);
+    const glm::vec3 aside(pixel * turn / kPlaces, pixel * std::fmod(turn * 0.618f, 1.0f), 0.0f);
+    const double seen = light(stern + aside, kFieldOfView) / large;
+    EXPECT_GT(seen, 0.4) << i;
+    EXPECT_LT(seen, 2.0) << i;
+    mean += seen / kPlaces;
+  }
+  EXPECT_NEAR(mean, 1.0, 0.2);
+}
+
 TEST_F(BoatPicture, IsSkippedOutOfView) {
   look({0.0f, 5.0f, 40.0f}, {0.0f, 5.0f, 80.0f}, {0.0f, 1.0f, 0.0f});
   graph_->reset_report();
