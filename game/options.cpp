@@ -77,6 +77,9 @@ void add_for_verb(CLI::App& app, Options& options) {
   if (verb == "bench") {
     app.add_option("--json", options.json, "write the report here, not to stdout");
     app.add_option("--plot", options.plot, "draw the curves here (SVG)");
+    app.add_option("--method", options.method,
+                   "clouds: pathtrace compares the light with the path tracer's and no more")
+        ->check(CLI::IsMember({"pathtrace"}));
   }
   if (verb == "export") {
     app.add_option("--time", options.time, "the sea's clock, s")->check(CLI::Range(-1e12, 1e12));

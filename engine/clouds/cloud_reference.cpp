@@ -39,84 +39,73 @@ void for_tiles(glm::ivec2 size, Work work) {
   }
 }
 
+/// What a program leaves in its two images: four and two values a pixel.
+struct Sums {
+  std::vector<float> light, distance;
+};
+
+/// Runs a program over the picture once for each of `pieces`, which it gets as uniform 1.
+Sums summed(FrameGraph& graph, const CloudSources& sources, const char* name,
+            const ShaderProgram& program, glm::ivec2 size, const std::vector<glm::ivec2>& pieces) {
+  const gl::Texture light = empty("cloud reference", GL_RGBA32F, size);
+  const gl::Texture distance = empty("cloud reference distance", GL_RG32F, size);
+  graph.add(
+      name,
+      [&](PassBuilder& pass) {
+        sources.field_ids.read_by(pass);
+        sources.sky_ids.read_by(pass);
+        sources.shadow_ids.read_by(pass);
+        pass.side_effect();
+      },
+      [&](PassContext& context) {
+        sources.field.bind(context, sources.field_ids);
+        sources.sky.bind(context, sources.sky_ids);
+        sources.shadow.bind(context, sources.shadow_ids);
+        light.bind_image(0, GL_READ_WRITE);
+        distance.bind_image(1, GL_READ_WRITE);
+        program.use();
+        for (const glm::ivec2& piece : pieces) {
+          program.program().set(1, piece);
+          for_tiles(size, [&](glm::ivec2 corner) { program.program().set(0, corner); });
+          glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+        }
+      });
+  graph.execute();
+  return {light.read_floats(4), distance.read_floats(2)};
+}
+
 }  // namespace
 
 CloudReference::CloudReference(ShaderLibrary& shaders)
     : march_program_(shaders.program({"clouds/reference.comp"}, defines())),
       path_program_(shaders.program({"clouds/pathtrace.comp"}, defines())) {}
 
-CloudSightings CloudReference::march(FrameGraph& graph, const CloudField& field,
-                                     const CloudIds& ids, const Sky& sky, const SkyIds& sky_ids,
-                                     const CloudShadow& shadow, const CloudShadowIds& shadow_ids,
-                                     glm::ivec2 size) const {
-  const gl::Texture light = empty("cloud reference", GL_RGBA32F, size);
-  const gl::Texture distance = empty("cloud reference distance", GL_RG32F, size);
-  graph.add(
-      "clouds.reference",
-      [&](PassBuilder& pass) {
-        ids.read_by(pass);
-        sky_ids.read_by(pass);
-        shadow_ids.read_by(pass);
-        pass.side_effect();
-      },
-      [&, this](PassContext& context) {
-        field.bind(context, ids);
-        sky.bind(context, sky_ids);
-        shadow.bind(context, shadow_ids);
-        light.bind_image(0, GL_READ_WRITE);
-        distance.bind_image(1, GL_READ_WRITE);
-        march_program_.use();
-        for (int step = 0; step < kSteps; step += kStepsAtOnce) {
-          march_program_.program().set(1, glm::ivec2(step, kStepsAtOnce));
-          for_tiles(size, [&](glm::ivec2 corner) { march_program_.program().set(0, corner); });
-          glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-        }
-      });
-  graph.execute();
+CloudSightings CloudReference::march(FrameGraph& graph, const CloudSources& sources,
+                                     glm::ivec2 size, bool smoothed) const {
+  std::vector<glm::ivec2> pieces;
+  for (int step = 0; step < kSteps; step += kStepsAtOnce) pieces.emplace_back(step, kStepsAtOnce);
+  march_program_.program().set(2, smoothed ? 1.0f : 0.0f);
+  const auto [light, metres] =
+      summed(graph, sources, "clouds.reference", march_program_, size, pieces);
   CloudSightings seen{size, {}, {}};
-  const std::vector<float> values = light.read_floats(4), metres = distance.read_floats(2);
   for (std::size_t i = 0; i < metres.size() / 2; ++i) {
-    seen.light.emplace_back(values[4 * i], values[4 * i + 1], values[4 * i + 2], values[4 * i + 3]);
+    seen.light.emplace_back(light[4 * i], light[4 * i + 1], light[4 * i + 2], light[4 * i + 3]);
     seen.distance.push_back(metres[2 * i]);
   }
   return seen;
 }
 
-CloudSightings CloudReference::path_trace(FrameGraph& graph, const CloudField& field,
-                                          const CloudIds& ids, const Sky& sky,
-                                          const SkyIds& sky_ids, const CloudShadow& shadow,
-                                          const CloudShadowIds& shadow_ids, glm::ivec2 size,
-                                          int samples, int first) const {
-  const gl::Texture sum = empty("cloud paths", GL_RGBA32F, size);
-  const gl::Texture distance = empty("cloud path lengths", GL_RG32F, size);
-  graph.add(
-      "clouds.path_trace",
-      [&](PassBuilder& pass) {
-        ids.read_by(pass);
-        sky_ids.read_by(pass);
-        shadow_ids.read_by(pass);
-        pass.side_effect();
-      },
-      [&, this](PassContext& context) {
-        field.bind(context, ids);
-        sky.bind(context, sky_ids);
-        shadow.bind(context, shadow_ids);
-        sum.bind_image(0, GL_READ_WRITE);
-        distance.bind_image(1, GL_READ_WRITE);
-        path_program_.use();
-        for (int sample = first; sample < first + samples; ++sample) {
-          path_program_.program().set(1, glm::ivec2(sample, 1));
-          for_tiles(size, [&](glm::ivec2 corner) { path_program_.program().set(0, corner); });
-          glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-        }
-      });
-  graph.execute();
+CloudSightings CloudReference::path_trace(FrameGraph& graph, const CloudSources& sources,
+                                          glm::ivec2 size, int samples, int first) const {
+  std::vector<glm::ivec2> pieces;
+  for (int sample = first; sample < first + samples; ++sample) pieces.emplace_back(sample, 1);
+  const auto [light, metres] =
+      summed(graph, sources, "clouds.path_trace", path_program_, size, pieces);
   CloudSightings seen{size, {}, {}};
-  const std::vector<float> values = sum.read_floats(4), metres = distance.read_floats(2);
   const float share = 1.0f / static_cast<float>(std::max(samples, 1));
   for (std::size_t i = 0; i < metres.size() / 2; ++i) {
     seen.light.push_back(
-        glm::vec4(values[4 * i], values[4 * i + 1], values[4 * i + 2], values[4 * i + 3]) * share);
+        glm::vec4(light[4 * i], light[4 * i + 1], light[4 * i + 2], light[4 * i + 3]) * share);
     seen.distance.push_back(metres[2 * i] / std::max(metres[2 * i + 1], 1.0f));
   }
   return seen;

@@ -13,6 +13,7 @@
 #include "engine/post/flip.h"
 #include "game/bench/bench_report.h"
 #include "game/bench/benches.h"
+#include "game/bench/path_traced.h"
 #include "game/bench/plot.h"
 #include "game/export/cloud_run.h"
 
@@ -20,12 +21,6 @@ namespace offing {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct BenchView {
-  const char* name;
-  const char* scene;
-  std::vector<std::string> sets;
-};
 
 std::vector<BenchView> bench_views() {
   const auto from = [](const char* position, const char* target, std::vector<std::string> sets) {
@@ -377,8 +372,21 @@ void bench_clouds(const Options& options) {
   gl::require_opengl_45();
   const bool software = gl::current_renderer().software;
   Json report;
-  report["size"] = {size.x, size.y};
   report["renderer"] = gl::current_renderer().name;
+  const auto compare_light = [&](CloudRun& run, const BenchView& view) {
+    fmt::print(stderr, "bench clouds: {}, path traced\n", view.name);
+    return path_traced(run, view, options.sets);
+  };
+  if (options.method == "pathtrace") {
+    CloudRun run(CloudQuality::of(0));
+    for (const auto& views : {bench_views(), lit_views()}) {
+      for (const BenchView& view : views)
+        report["views"].push_back({{"view", view.name}, {"path_traced", compare_light(run, view)}});
+    }
+    deliver_report(options, report.dump(2) + "\n");
+    return;
+  }
+  report["size"] = {size.x, size.y};
   report["timer"] = software ? "cpu" : "finish";
   const std::vector<Setting> list = settings();
   const Runs runs = runs_of(list);
@@ -415,19 +423,21 @@ void bench_clouds(const Options& options) {
               true,
               true,
               {shipped, still, pan}};
-    const std::string name = bench_view.name;
-    if (name == "day") {
+    if (bench_view.name == "day") {
       const FrameView large = still_view(make_scene(bench_view.scene, sets), kPlayed);
       json["fixed_step"] = beside_fixed_steps(truth, list, runs, view, large, sky, ours);
     }
     plots.push_back(plot);
-    if (name == "day") {
+    if (bench_view.name == "day") {
       const std::vector<Setting> without = switched_off();
       for (const Point& p : measure(without, runs_of(without), view, sky, reference))
         json["switched_off"].push_back(json_of(p));
     }
+    json["path_traced"] = compare_light(truth, bench_view);
     report["views"].push_back(json);
   }
+  for (const BenchView& view : lit_views())
+    report["views"].push_back({{"view", view.name}, {"path_traced", compare_light(truth, view)}});
   if (!options.plot.empty()) write_text(options.plot, svg_of(plots));
   deliver_report(options, report.dump(2) + "\n");
 }

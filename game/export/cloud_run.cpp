@@ -89,16 +89,17 @@ CloudSightings CloudRun::marched(const FrameView& view) const {
   return clouds;
 }
 
-CloudSightings CloudRun::reference(const FrameView& view) {
+CloudSources CloudRun::sources(const FrameView& view) {
   const Ids ids = prepare(view);
-  return CloudReference(shaders_).march(graph_, field_, ids.field, sky_, ids.sky, shadow_,
-                                        ids.shadow, view.size);
+  return {field_, ids.field, sky_, ids.sky, shadow_, ids.shadow};
+}
+
+CloudSightings CloudRun::reference(const FrameView& view, bool smoothed) {
+  return CloudReference(shaders_).march(graph_, sources(view), view.size, smoothed);
 }
 
 CloudSightings CloudRun::path_trace(const FrameView& view, int samples, int first) {
-  const Ids ids = prepare(view);
-  return CloudReference(shaders_).path_trace(graph_, field_, ids.field, sky_, ids.sky, shadow_,
-                                             ids.shadow, view.size, samples, first);
+  return CloudReference(shaders_).path_trace(graph_, sources(view), view.size, samples, first);
 }
 
 Image CloudRun::sky(const FrameView& view) {

@@ -21,7 +21,7 @@ class CloudRun {
   /// The picture after the last march().
   CloudSightings marched(const FrameView& view) const;
 
-  CloudSightings reference(const FrameView& view);
+  CloudSightings reference(const FrameView& view, bool smoothed = true);
   CloudSightings path_trace(const FrameView& view, int samples, int first = 0);
 
   /// The sky behind the clouds without discs, cd/m², row 0 on top.
@@ -41,6 +41,7 @@ class CloudRun {
 
  private:
   Ids prepare(const FrameView& view);
+  CloudSources sources(const FrameView& view);
 
   ShaderLibrary shaders_;
   GlDevice device_;

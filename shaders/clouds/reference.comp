@@ -9,6 +9,7 @@ layout(rgba32f, binding = 0) uniform image2D seen;   // radiance (cd/m^2), trans
 layout(rg32f, binding = 1) uniform image2D distance;  // m, weighted; weight. At the end: m
 layout(location = 0) uniform ivec2 corner;            // of this part, pixels
 layout(location = 1) uniform ivec2 steps;             // of the ray: first and number
+layout(location = 2) uniform float smoothed;          // 1: noise is smoothed to a pixel's width, as in the march; 0: not
 
 const int kViewSteps = 4096;
 const int kLightSteps = 96;  // each way
@@ -49,7 +50,7 @@ void main() {
     if (step_length <= 0.0 || transmittance < kNothingLeft) break;
     float t = span.near + (float(i) + 0.5) * step_length;
     vec3 p = direction * t;
-    float footprint = frame.camera.w * t;
+    float footprint = smoothed * frame.camera.w * t;
     float extinction = cloud_extinction(p, footprint);
     // Runs once where there is cloud: an `if` would march the light everywhere on a CPU renderer.
     for (int lit = 0; lit < (extinction > 0.0 ? 1 : 0); ++lit) {
