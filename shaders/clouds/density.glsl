@@ -160,6 +160,8 @@ float cloud_body(CloudPlace place, vec3 p, float footprint) {
 
 // What the edges' noise takes away from `inside`: nothing in the middle of a cell of noise.
 const float kCloudErosion = 0.30;
+// The same in the mean, for ways along the light: of a heap's edges, averaged over such ways from within it.
+const float kCloudMeanErosion = 0.47 * kCloudErosion;
 float cloud_erosion(CloudPlace place, vec3 p, float footprint) {
   vec2 plan = place.plan;
 #ifndef CLOUDS_WITHOUT_CURL

@@ -98,7 +98,7 @@ float depth_beyond(CloudPlace from, float inside, vec3 p, vec3 map) {
   float look = 200.0 * clouds.form.w;
   vec3 q = p - look * clouds.light_direction.xyz;
   CloudPlace place = cloud_place_beside(from, q);
-  float there = cloud_body(place, q, look) - 0.5 * kCloudErosion * clouds.form.z;
+  float there = cloud_body(place, q, look) - kCloudMeanErosion * clouds.form.z;
   float on = clamp(there, 0.0, 1.0);
   float rest = look * (cloud_mean_ramp(inside, there, kCloudEdgeWidth) + 14.0 * on);
   return mix(clouds.layer.z * from.kind.extinction * rest, map.y, map.z * clamp(8.0 * on, 0.0, 1.0));
@@ -116,7 +116,7 @@ vec2 depths_along_light(CloudPlace from, float inside, vec3 p, float footprint, 
     along += step_length;
     vec3 q = p + toward * along;
     CloudPlace place = cloud_place_beside(from, q);
-    float there = cloud_body(place, q, max(footprint, 0.5 * step_length)) - 0.5 * kCloudErosion * clouds.form.z;
+    float there = cloud_body(place, q, max(footprint, 0.5 * step_length)) - kCloudMeanErosion * clouds.form.z;
     depth += step_length * clouds.layer.z * place.kind.extinction * cloud_filling(place.x) *
              cloud_mean_ramp(before, there, kCloudEdgeWidth);
     before = there;

@@ -27,7 +27,7 @@ void main() {
   for (int i = 0; i <= kSteps; ++i) {
     vec3 p = at + toward * (up - float(i) * step_length);
     CloudPlace place = cloud_place(p);
-    float inside = cloud_body(place, p, step_length * toward.y) - 0.5 * kCloudErosion * clouds.form.z;
+    float inside = cloud_body(place, p, step_length * toward.y) - kCloudMeanErosion * clouds.form.z;
     float share = cloud_mean_ramp(before, inside, kCloudEdgeWidth);
     float extinction = clouds.layer.z * place.kind.extinction * cloud_filling(place.x) * share;
     // Where between the two samples the edge lies.
