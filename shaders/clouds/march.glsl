@@ -31,7 +31,7 @@ const float kCleftHides = 0.6;   // of the light from all round
 const float kTopsReflect = 0.5;  // of the light, where a layer of heaps is seen from above
 const float kOthersReflect = 0.5;  // likewise, of what a neighbour's side sends to the shaded side of a heap
 const float kSkyLook = 0.35;  // height at which each half of the sky is looked at, radians
-const vec2 kHeapTakes = vec2(0.44, 0.72);  // of the light on a square across its way: of a flat one; what a high one adds
+const vec2 kHeapTakes = vec2(0.46, 0.72);  // of the light on a square across its way: of a flat one; what a high one adds
 
 struct CloudSight {
   vec3 radiance;  // cd/m^2
@@ -156,7 +156,7 @@ vec3 cloud_leaving(CloudRay ray, CloudPlace place, vec3 p, float to_light, float
   // A heap lets little of the sky's brighter half through to the side that is turned away from the light.
   float along_light = above_light + beyond * clouds.light.x;
   vec3 from_sky = ray.from_above * cloud_ambient(min(above_light, full), full, ray.lit_half, ray.dim_half, ray.cosine, ray.g);
-  vec3 around = mix(ray.from_below, from_sky, 0.6 + 0.3 * x);
+  vec3 around = mix(ray.from_below, from_sky, 0.5 + 0.37 * x);
   // Neighbours whose sides are in the light.
   around += clouds.ambient.y * kOthersReflect * min(1.0 - clouds.weather.w, 1.0) * level * (1.0 - level) / kPhasePi * light;
   // A storm overlooks the tops of the others: its shaded sides see them, and sky by half.
