@@ -144,7 +144,7 @@ CloudQuality CloudQuality::of(int quality) {
               .steps = 32,
               .light_steps = 3,
               .light_steps_inside = 1,
-              .finest = 26.0f,
+              .finest = 20.0f,
               .growth = 0.013f,
               .reach = 70000.0f,
               .curl = false};
@@ -153,22 +153,25 @@ CloudQuality CloudQuality::of(int quality) {
               .cut_cell = {2, 2},
               .steps = 96,
               .light_steps = 4,
+              .light_steps_inside = 2,
               .finest = 11.0f,
-              .growth = 0.0047f,
+              .growth = 0.006f,
               .reach = 90000.0f};
     case 2:
       return {.cell = {2, 2},
               .steps = 110,
               .light_steps = 4,
+              .light_steps_inside = 2,
               .finest = 7.0f,
-              .growth = 0.003f,
+              .growth = 0.004f,
               .reach = 110000.0f};
     default:
       return {.cell = {1, 1},
               .steps = 160,
-              .light_steps = 4,
+              .light_steps = 5,
+              .light_steps_inside = 2,
               .finest = 8.0f,
-              .growth = 0.0026f,
+              .growth = 0.0034f,
               .reach = 130000.0f};
   }
 }

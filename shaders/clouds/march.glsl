@@ -92,15 +92,24 @@ CloudRay cloud_ray(vec3 direction, float near) {
 }
 
 // Optical depth between a place, where the signed field is `inside`, and the far side of its cloud, away from the
-// light: of the cloud that ends soon by one sample, which is far finer than the map; of what goes on by the map,
-// where there is one (of `map` y and z: cloud_shadow_depths).
+// light: of the cloud that ends soon by three samples, which are far finer than the map, and past them as though the
+// field fell on as between the last two; of what goes on by the map, where there is one (of `map` y and z:
+// cloud_shadow_depths).
 float depth_beyond(CloudPlace from, float inside, vec3 p, vec3 map) {
-  float look = 200.0 * clouds.form.w;
-  vec3 q = p - look * clouds.light_direction.xyz;
-  CloudPlace place = cloud_place_beside(from, q);
-  float there = cloud_body(place, q, look) - kCloudMeanErosion * clouds.form.z;
+  float way = 60.0 * clouds.form.w;
+  float gone = 0.0, rest = 0.0, there = inside, fall = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    gone += way;
+    vec3 q = p - gone * clouds.light_direction.xyz;
+    float next = cloud_body(cloud_place_beside(from, q), q, way) - kCloudMeanErosion * clouds.form.z;
+    rest += way * cloud_mean_ramp(there, next, kCloudEdgeWidth);
+    fall = (there - next) / way;
+    there = next;
+    way *= 2.0;
+  }
   float on = clamp(there, 0.0, 1.0);
-  float rest = look * (cloud_mean_ramp(inside, there, kCloudEdgeWidth) + 14.0 * on);
+  const float kLongest = 2800.0;  // m of dense cloud, for a field of 1
+  rest += min(kLongest * clouds.form.w * on, cloud_ramp_integral(there, kCloudEdgeWidth) / max(fall, 1.0e-7));
   return mix(clouds.layer.z * from.kind.extinction * rest, map.y, map.z * clamp(8.0 * on, 0.0, 1.0));
 }
 
@@ -179,6 +188,10 @@ vec3 cloud_leaving(CloudRay ray, CloudPlace place, vec3 p, float to_light, float
   return leaving * clouds.light.w;
 }
 
+// Where in a step of this optical depth, spread evenly, the light comes from that one sees: 1/2 of a thin one, toward
+// its begin in a thick one.
+float mean_way(float depth) { return depth > 0.05 ? 1.0 / depth - 1.0 / (exp(depth) - 1.0) : 0.5 - depth / 12.0; }
+
 // The low clouds, from `near` to `far`. No sample is shifted at random: what a step holds is a mean, so there are
 // no bands to hide, and grain would show in thin layers.
 CloudSight march_low(CloudRay ray, float near, float far, int light_steps) {
@@ -216,11 +229,17 @@ CloudSight march_low(CloudRay ray, float near, float far, int light_steps) {
     float depth = clouds.layer.z * place.kind.extinction * cloud_filling(place.x) *
                   cloud_mean_ramp(before, inside, kCloudEdgeWidth) * passed * clouds.light.y;
     float share = sight.transmittance * (1.0 - exp(-depth));
-    // Lit only where it shows; what hardly does has the light of the place before.
+    // Lit only where it shows, at the place that its light comes from; what hardly shows has the light of the place
+    // before.
     bool shows = share > kShows || (share > 0.0 && weight == 0.0);
     for (int i = 0; i < int(shows); ++i) {
-      vec2 depths = depths_along_light(place, inside, p, footprint, light_steps);
-      source = cloud_leaving(ray, place, p, depths.x, depths.y);
+      float entered = before < 0.0 ? clamp(before / min(before - inside, -1.0e-4), 0.0, 1.0) : 0.0;
+      float back = (1.0 - mean_way(depth)) * (1.0 - entered) * passed;
+      vec3 q = p - ray.direction * back;
+      CloudPlace lit = place;
+      lit.x -= back * ray.direction.y / (place.kind.thickness * clouds.form.w);
+      vec2 depths = depths_along_light(lit, mix(max(before, 0.0), inside, mean_way(depth)), q, footprint, light_steps);
+      source = cloud_leaving(ray, lit, q, depths.x, depths.y);
     }
     sight.radiance += share * source;
     weight += share;
@@ -236,6 +255,7 @@ CloudSight march_low(CloudRay ray, float near, float far, int light_steps) {
   }
   // A ray that has seen all that shows has seen it all.
   float rescale = 1.0 / (1.0 - kLeast);
+  sight.radiance /= 1.0 - min(sight.transmittance, kLeast);
   sight.transmittance = max(sight.transmittance - kLeast, 0.0) * rescale;
   sight.distance = weight > 0.0 ? weighted / weight : far > 0.0 ? far : REACH;
   return sight;
