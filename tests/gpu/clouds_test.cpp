@@ -78,6 +78,15 @@ class CloudsTest : public test::SkyGraphTest {
     return 4.0 * sum / static_cast<double>(a.size());
   }
 
+  /// All of the sky in stratus without noise, that stands still.
+  void show_even_layer(double density) {
+    view_.weather = {.cover = 1.0, .type = 0.0, .precipitation = 0.0, .high = 0.0};
+    view_.parameters.roughness = 0.0;
+    view_.parameters.erosion = 0.0;
+    view_.parameters.density = density;
+    view_.parameters.evolution = 0.0;
+  }
+
   std::unique_ptr<Cloudscape> clouds_;
   CelestialState sun_ = test::sun_at(200.0, 40.0);
   CloudView view_;
@@ -256,11 +265,7 @@ TEST_F(CloudsTest, DoNotFlicker) {
 TEST_F(CloudsTest, ASmoothLayerHasNoBands) {
   // An even overcast without noise, toward the sun: light that changes evenly over the picture.
   // What bends in it by more than the display's steps would show as bands, which no dither hides.
-  view_.weather = {.cover = 1.0, .type = 0.0, .precipitation = 0.0, .high = 0.0};
-  view_.parameters.roughness = 0.0;
-  view_.parameters.erosion = 0.0;
-  view_.parameters.density = 0.1;
-  view_.parameters.evolution = 0.0;
+  show_even_layer(0.1);
   background_ = 1.0f;
   std::vector<float> picture;
   for (int frame = 0; frame < 40; ++frame) picture = draw(200.0, 60.0, 40.0);
@@ -285,11 +290,7 @@ TEST_F(CloudsTest, TheGlowRoundTheSunThroughAVeilHasNoSteps) {
   // A thin veil before the sun: what changes from ring to ring round it is how the droplets scatter
   // forward, which falls smoothly. The mean of a ring's logarithms leaves the veil's own unevenness
   // out.
-  view_.weather = {.cover = 1.0, .type = 0.0, .precipitation = 0.0, .high = 0.0};
-  view_.parameters.roughness = 0.0;
-  view_.parameters.erosion = 0.0;
-  view_.parameters.density = 0.05;
-  view_.parameters.evolution = 0.0;
+  show_even_layer(0.05);
   std::vector<float> picture;
   for (int frame = 0; frame < 66; ++frame) picture = draw(200.0, 40.0, 30.0);
   constexpr int kRings = kHeight / 2, kFirst = 6;  // pixels; nearer, the peak bends too much
